@@ -1,0 +1,72 @@
+// One function a command. Each parses nothing: main.cpp has done that; it calls the library and prints.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "waywright/core/result.hpp"
+
+namespace waywright::app {
+
+inline constexpr int solved = 0;
+inline constexpr int not_solved = 1;
+inline constexpr int bad_input = 2;
+
+/// Raised by SIGINT and SIGTERM.
+extern std::atomic<bool> interrupted;
+
+/// Prints the one sentence; returns the exit status 2.
+int complain(const InputError& error);
+/// Prints a result on standard output; false where it cannot take it (a closed pipe, a full disk).
+bool print(const std::string& text);
+
+/// The folder of the bundled examples: beside the installed program, or in the source tree it was built from.
+std::filesystem::path examples_folder();
+
+struct PlanArguments {
+  std::filesystem::path scenario;
+  std::optional<std::filesystem::path> out;
+  std::string planner;
+  std::vector<std::string> set;
+  std::optional<std::uint64_t> seed;
+  bool json = false;
+};
+int plan(const PlanArguments& arguments);
+/// `waywright` without a command: plans the bundled docking example.
+int plan_example();
+
+int verify(const std::filesystem::path& plan);
+
+struct ImportArguments {
+  std::filesystem::path path, scenario;
+  std::optional<std::filesystem::path> out;
+};
+int import(const ImportArguments& arguments);
+
+struct CompareArguments {
+  std::vector<std::filesystem::path> scenarios;
+  std::string planners;
+  std::vector<std::string> set;
+  int runs = 1;
+  unsigned threads = 0;
+  std::optional<std::int64_t> evaluations;
+  std::filesystem::path out = "waywright-out/compare";
+};
+int compare(const CompareArguments& arguments);
+
+int list(const std::string& what);
+int map(const std::filesystem::path& file, const std::optional<std::filesystem::path>& out);
+
+struct GenerateArguments {
+  std::string name;
+  std::filesystem::path out;
+  std::uint64_t seed = 1;
+  std::optional<int> boxes;
+};
+int generate(const GenerateArguments& arguments);
+
+}  // namespace waywright::app

@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "commands.hpp"
+#include "waywright/io/scenario_io.hpp"
+#include "waywright/planner/registry.hpp"
+
+namespace waywright::app {
+namespace {
+
+std::string line(const std::string& name, const std::string& summary) { return fmt::format("{:<28} {}\n", name, summary); }
+
+std::string value_words(const ParameterValue& value) {
+  if (const auto* b = std::get_if<bool>(&value)) return *b ? "true" : "false";
+  if (const auto* d = std::get_if<double>(&value)) return fmt::format("{}", *d);
+  return std::get<std::string>(value);
+}
+
+std::string planner_words(const PlannerDescription& planner) {
+  std::string text = planner.name + ": " + planner.summary + "\n";
+  for (const ParameterDescription& p : planner.parameters) {
+    std::string range;
+    if (std::holds_alternative<double>(p.default_value)) range = fmt::format("{} to {}{}", p.low, p.high, p.unit.empty() ? "" : " " + p.unit);
+    if (std::holds_alternative<bool>(p.default_value)) range = "true, false";
+    for (const std::string& c : p.choices) range += (range.empty() ? "" : ", ") + c;
+    text += fmt::format("  {:<22} {} (default {}; {})\n", p.name, p.summary, value_words(p.default_value), range);
+  }
+  return text;
+}
+
+std::string vehicles() {
+  std::string text;
+  std::error_code error;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator{examples_folder() / "vehicles", error}) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  for (const auto& file : files) {
+    if (auto vehicle = read_vehicle(file)) text += line(file.filename().string(), vehicle->name);
+  }
+  return text;
+}
+
+}  // namespace
+
+int list(const std::string& what) {
+  std::string text;
+  const bool all = what.empty();
+  const auto heading = [&](const char* name) {
+    if (all) text += fmt::format("{}{}:\n", text.empty() ? "" : "\n", name);
+  };
+  bool known = false;
+  const auto section = [&](const char* name, auto fill) {
+    if (!all && what != name) return;
+    known = true;
+    heading(name);
+    fill();
+  };
+  section("planners", [&] {
+    for (const PlannerDescription& p : planners()) text += line(p.name, p.summary);
+  });
+  section("optimizers", [&] {
+    for (const OptimizerDescription& o : optimizers()) text += line(o.name, o.summary);
+  });
+  section("objectives", [&] {
+    text += line("normalised", "0.7 × change of curvature + 0.3 × length, each over the reference path's (docking, cost B)");
+    text += line("exponential", "exponentials of the differences to the reference path (docking, cost A)");
+  });
+  section("vehicles", [&] { text += vehicles(); });
+  section("maps", [&] {
+    text += line("polygons", "boundary, obstacles, lines, points in metres");
+    text += line("ros", "ROS map_server yaml with pgm or png");
+    text += line("image", "pgm or png with a resolution");
+    text += line("cells", "occupancy cells inlined by run lengths");
+  });
+  section("zones", [&] { text += line("(none)", "zones are not supported yet"); });
+  section("generators", [&] {
+    text += line("station", "a docking station with random shape, shelf, clutter, vehicle and start");
+    text += line("warehouse", "a ROS map of a 60 × 40 m warehouse with racks and aisles");
+  });
+  if (const PlannerDescription* planner = find_planner(what)) {
+    text = planner_words(*planner);
+    known = true;
+  }
+  if (!known) {
+    return complain({"", "list", fmt::format("\"{}\" is not known", what),
+                     "planners, optimizers, objectives, vehicles, maps, zones, generators, or a planner's name"});
+  }
+  return print(text) ? solved : not_solved;
+}
+
+}  // namespace waywright::app

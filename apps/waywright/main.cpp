@@ -1,0 +1,131 @@
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "commands.hpp"
+#include "waywright/core/version.hpp"
+
+namespace waywright::app {
+std::atomic<bool> interrupted{false};
+}
+
+namespace {
+
+using namespace waywright::app;
+
+extern "C" void on_signal(int) { interrupted.store(true, std::memory_order_relaxed); }
+
+void catch_signals() {
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"waywright: safe, smooth, short and explainable paths for industrial mobile robots.\n"
+               "Without a command it plans the bundled docking example."};
+  app.set_version_flag("--version", waywright::version);
+  app.require_subcommand(0, 1);
+  int status = solved;
+
+  PlanArguments plan_arguments;
+  std::string out;
+  auto* plan_command = app.add_subcommand("plan", "plan a scenario; writes plan.json, plan.svg and report.html");
+  plan_command->add_option("SCENARIO", plan_arguments.scenario, "scenario.json")->required();
+  plan_command->add_option("-o,--out", plan_arguments.out, "folder to write to (default: waywright-out/NAME)");
+  plan_command->add_option("--planner", plan_arguments.planner, "planner in place of the scenario's");
+  plan_command->add_option("--set", plan_arguments.set, "KEY=VALUE, a parameter of the planner; may be repeated");
+  plan_command->add_option("--seed", plan_arguments.seed, "seed in place of the scenario's");
+  plan_command->add_flag("--json", plan_arguments.json, "plan.json on standard output and nothing else there");
+  plan_command->callback([&] { status = plan(plan_arguments); });
+
+  std::filesystem::path plan_file;
+  auto* verify_command = app.add_subcommand("verify", "prove a plan again from its file alone");
+  verify_command->add_option("PLAN", plan_file, "plan.json")->required();
+  verify_command->callback([&] { status = verify(plan_file); });
+
+  ImportArguments import_arguments;
+  auto* import_command = app.add_subcommand("import", "judge anyone's poses: a CSV with x, y, heading and direction");
+  import_command->add_option("PATH", import_arguments.path, "CSV of poses")->required();
+  import_command->add_option("--scenario", import_arguments.scenario, "scenario.json that the path is for")->required();
+  import_command->add_option("-o,--out", import_arguments.out, "folder to write to (default: waywright-out/NAME-import)");
+  import_command->callback([&] { status = import(import_arguments); });
+
+  CompareArguments compare_arguments;
+  auto* compare_command = app.add_subcommand("compare", "planners side by side under one validity check and one budget");
+  compare_command->add_option("SCENARIO", compare_arguments.scenarios, "scenario files")->required();
+  compare_command->add_option("--planners", compare_arguments.planners,
+                              "comma-separated: NAME, NAME:key=value:key=value, exec:COMMAND (default: all planners)");
+  compare_command->add_option("--set", compare_arguments.set, "KEY=VALUE for every planner that has the parameter; KEY=A,B makes one contestant of each");
+  compare_command->add_option("--runs", compare_arguments.runs, "seeds each")->check(CLI::Range(1, 1000000));
+  compare_command->add_option("--threads", compare_arguments.threads, "0: all cores")->check(CLI::Range(0, 1024));
+  compare_command->add_option("--evaluations", compare_arguments.evaluations, "the same budget for all")->check(CLI::Range(1LL, 1000000000000LL));
+  compare_command->add_option("-o,--out", compare_arguments.out, "folder to write to");
+  compare_command->callback([&] { status = compare(compare_arguments); });
+
+  std::string what;
+  auto* list_command = app.add_subcommand("list", "what there is, a line each");
+  list_command->add_option("WHAT", what, "planners, optimizers, objectives, vehicles, maps, zones, generators, or a planner's name");
+  list_command->callback([&] { status = list(what); });
+
+  std::filesystem::path map_file;
+  std::optional<std::filesystem::path> map_out;
+  auto* map_command = app.add_subcommand("map", "what a map file holds; with -o it is written as map.json");
+  map_command->add_option("FILE", map_file, "ROS yaml or map.json")->required();
+  map_command->add_option("-o,--out", map_out, "map.json to write");
+  map_command->callback([&] { status = map(map_file, map_out); });
+
+  GenerateArguments generate_arguments;
+  auto* generate_command = app.add_subcommand("generate", "make a test scenario or map");
+  generate_command->add_option("NAME", generate_arguments.name, "station, warehouse")->required();
+  generate_command->add_option("-o,--out", generate_arguments.out, "file to write")->required();
+  generate_command->add_option("--seed", generate_arguments.seed, "other seeds, other scenarios");
+  generate_command->add_option("--boxes", generate_arguments.boxes, "number of boxes in a station (default: 0 to 12 by seed)")->check(CLI::Range(0, 200));
+  generate_command->callback([&] { status = generate(generate_arguments); });
+
+  for (const char* later : {"check", "reproduce", "sweep", "tune", "pareto", "simulate", "serve", "agv", "fleet"}) {
+    auto* command = app.add_subcommand(later, "not supported yet");
+    command->allow_extras();
+    command->callback([&status, later] {
+      status = complain({"", std::string{"command "} + later, "it is not supported yet", "plan, verify, import, compare, list, map, generate"});
+    });
+  }
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return print(app.help()) ? solved : not_solved;
+  } catch (const CLI::CallForVersion&) {
+    return print(std::string{waywright::version} + "\n") ? solved : not_solved;
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) {
+      app.exit(e);
+      return solved;
+    }
+    std::string sentence = e.what();
+    for (char& c : sentence) {
+      if (c == '\n') c = ' ';
+    }
+    return complain({"", "command line", sentence, "see --help"});
+  }
+  if (app.get_subcommands().empty()) return plan_example();
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  catch_signals();
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("waywright: there is not enough memory for this input\n", stderr);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "waywright: %s\n", e.what());
+  }
+  return bad_input;
+}

@@ -1,0 +1,61 @@
+#include "outputs.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+
+#include "waywright/io/files.hpp"
+#include "waywright/io/plan_io.hpp"
+#include "waywright/io/scenario_io.hpp"
+#include "waywright/report/report.hpp"
+
+namespace waywright::app {
+
+namespace fs = std::filesystem;
+
+fs::path default_folder(const std::string& name) {
+  std::string safe;
+  for (const char c : name) safe += std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' ? c : '-';
+  if (safe.empty()) safe = "plan";
+  return fs::path{"waywright-out"} / safe.substr(0, 80);
+}
+
+Parsed<void> prepare_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return tl::unexpected{InputError{folder.string(), "", "the folder cannot be made: " + error.message(), ""}};
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    return tl::unexpected{InputError{folder.string(), "", "the folder cannot be written to", ""}};
+  }
+  return {};
+}
+
+Parsed<void> write_plan(const fs::path& folder, const Problem& problem, const Plan& plan) {
+  for (const auto& [name, text] : {std::pair{"plan.json", plan_json(plan)}, {"plan.svg", plan_svg(problem, plan)},
+                                   {"report.html", report_html(problem, plan)}}) {
+    if (auto written = write_file(folder / name, text); !written) return written;
+  }
+  return {};
+}
+
+Parsed<Loaded> load(const fs::path& file, const std::function<Parsed<void>(Scenario&)>& change) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  auto scenario = read_scenario(file);
+  if (!scenario) return tl::unexpected{scenario.error()};
+  if (change) {
+    if (auto changed = change(*scenario); !changed) return tl::unexpected{changed.error()};
+  }
+  const auto middle = Clock::now();
+  auto problem = Problem::prepare(std::move(*scenario));
+  if (!problem) {
+    InputError error = problem.error();
+    error.file = file.string();
+    return tl::unexpected{error};
+  }
+  const auto end = Clock::now();
+  return Loaded{std::move(*problem), std::chrono::duration<double>(middle - begin).count(),
+                std::chrono::duration<double>(end - middle).count()};
+}
+
+}  // namespace waywright::app

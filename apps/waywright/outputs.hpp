@@ -1,0 +1,29 @@
+// The files that every judged plan leaves.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "commands.hpp"
+#include "waywright/judge/plan.hpp"
+#include "waywright/scenario/problem.hpp"
+
+namespace waywright::app {
+
+/// `waywright-out/NAME`, the name made safe for a folder.
+std::filesystem::path default_folder(const std::string& name);
+
+/// Makes the folder and tries it before long work begins.
+Parsed<void> prepare_folder(const std::filesystem::path& folder);
+
+/// plan.json, plan.svg, report.html.
+Parsed<void> write_plan(const std::filesystem::path& folder, const Problem& problem, const Plan& plan);
+
+/// Scenario file → problem, with the times it took.
+struct Loaded {
+  Problem problem;
+  double load = 0.0, prepare = 0.0;  ///< s
+};
+Parsed<Loaded> load(const std::filesystem::path& scenario, const std::function<Parsed<void>(Scenario&)>& change = {});
+
+}  // namespace waywright::app

@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include "outputs.hpp"
+#include "waywright/io/plan_io.hpp"
+#include "waywright/planner/registry.hpp"
+#include "waywright/report/report.hpp"
+
+namespace waywright::app {
+namespace {
+
+/// --planner, --set and --seed go into the scenario, so that the plan file holds what was used.
+Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario) {
+  if (!arguments.planner.empty() && arguments.planner != scenario.planner.name) {
+    scenario.planner = {arguments.planner, {}};  // another planner has other parameters
+  }
+  if (arguments.seed) {
+    if (*arguments.seed > static_cast<std::uint64_t>(INT64_MAX)) {
+      return tl::unexpected{InputError{"", "--seed", "the number is out of range", "0 to 9223372036854775807"}};
+    }
+    scenario.seed = *arguments.seed;
+  }
+  const PlannerDescription* planner = find_planner(scenario.planner.name);
+  if (planner == nullptr) return {};  // solve() has the sentence
+  for (const std::string& key_value : arguments.set) {
+    if (auto set = set_parameter(*planner, scenario.planner.parameters, key_value); !set) return set;
+  }
+  return {};
+}
+
+}  // namespace
+
+int plan(const PlanArguments& arguments) {
+  auto loaded = load(arguments.scenario, [&](Scenario& scenario) { return apply(arguments, scenario); });
+  if (!loaded) return complain(loaded.error());
+  const Problem& problem = loaded->problem;
+  const std::filesystem::path folder = arguments.out.value_or(default_folder(
+      problem.scenario().name.empty() ? arguments.scenario.stem().string() : problem.scenario().name));
+  const bool write = !arguments.json || arguments.out;
+  if (write) {
+    if (auto ready = prepare_folder(folder); !ready) return complain(ready.error());
+  }
+  auto plan = solve(problem, &interrupted);
+  if (!plan) {
+    InputError error = plan.error();
+    error.file = arguments.scenario.string();
+    return complain(error);
+  }
+  plan->timing.load = loaded->load;
+  plan->timing.prepare = loaded->prepare;
+  if (write) {
+    if (auto written = write_plan(folder, problem, *plan); !written) return complain(written.error());
+  }
+  const bool printed = print(arguments.json ? plan_json(*plan)
+                                            : plan_text(*plan) + fmt::format("written: {0}/plan.json, {0}/plan.svg, {0}/report.html\n", folder.string()));
+  return plan->status == Status::solved && printed ? solved : not_solved;
+}
+
+int plan_example() {
+  PlanArguments arguments;
+  arguments.scenario = examples_folder() / "dock_middle.json";
+  const int status = plan(arguments);
+  if (status == solved) print("Open report.html in a browser; `waywright --help` lists the commands.\n");
+  return status;
+}
+
+}  // namespace waywright::app

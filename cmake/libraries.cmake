@@ -1,0 +1,16 @@
+# Libraries of others, each under one name, as system headers.
+find_package(fmt REQUIRED)
+find_package(tl-expected QUIET)
+find_package(Boost 1.74 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(PNG REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(CLI11 REQUIRED)
+find_package(Threads REQUIRED)
+find_package(Pagmo REQUIRED)
+find_package(ompl REQUIRED)
+
+add_library(waywright_external_ompl INTERFACE)
+target_include_directories(waywright_external_ompl SYSTEM INTERFACE ${OMPL_INCLUDE_DIRS})
+target_link_libraries(waywright_external_ompl INTERFACE ${OMPL_LIBRARIES})

@@ -1,0 +1,221 @@
+#include "waywright/curve/bezier.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waywright {
+namespace {
+
+// 16-point Gauss–Legendre rule on [−1, 1], positive half (Abramowitz & Stegun, table 25.4).
+constexpr std::array<double, 8> gauss_node{0.0950125098376374402, 0.2816035507792589132, 0.4580167776572273863,
+                                           0.6178762444026437484, 0.7554044083550030339, 0.8656312023878317439,
+                                           0.9445750230732325761, 0.9894009349916499326};
+constexpr std::array<double, 8> gauss_weight{0.1894506104550684963, 0.1826034150449235889, 0.1691565193950025382,
+                                             0.1495959888165767321, 0.1246289712555338720, 0.0951585116824927848,
+                                             0.0622535239386478929, 0.0271524594117540949};
+
+constexpr int table_parts = 32;
+
+Vec2 de_casteljau(std::array<Vec2, 6> points, int degree, double u) {
+  for (int level = degree; level > 0; --level) {
+    for (int i = 0; i < level; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      points[k] = points[k] + u * (points[k + 1] - points[k]);
+    }
+  }
+  return points[0];
+}
+
+/// Control points of the derivative, degree one less.
+std::array<Vec2, 6> hodograph(const std::array<Vec2, 6>& points, int degree) {
+  std::array<Vec2, 6> d{};
+  for (int i = 0; i < degree; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    d[k] = static_cast<double>(degree) * (points[k + 1] - points[k]);
+  }
+  return d;
+}
+
+double speed(const BezierSpan& span, double u) {
+  return norm(de_casteljau(hodograph(span.control, span.degree), span.degree - 1, u));
+}
+
+double gauss(const BezierSpan& span, double a, double b) {
+  const double half = 0.5 * (b - a);
+  const double middle = 0.5 * (a + b);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < gauss_node.size(); ++i) {
+    sum += gauss_weight[i] * (speed(span, middle - half * gauss_node[i]) + speed(span, middle + half * gauss_node[i]));
+  }
+  return half * sum;
+}
+
+/// Solves the tridiagonal system with diagonal 2(h[i−1]+h[i]) for the second derivatives inside (Thomas).
+std::vector<Vec2> natural_second_derivatives(std::span<const Vec2> points, const std::vector<double>& h) {
+  const std::size_t n = points.size();
+  std::vector<Vec2> m(n);
+  if (n < 3) return m;
+  std::vector<double> diagonal(n);
+  std::vector<Vec2> right(n);
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    diagonal[i] = 2.0 * (h[i - 1] + h[i]);
+    right[i] = 6.0 * ((1.0 / h[i]) * (points[i + 1] - points[i]) - (1.0 / h[i - 1]) * (points[i] - points[i - 1]));
+    if (i > 1) {
+      const double factor = h[i - 1] / diagonal[i - 1];
+      diagonal[i] -= factor * h[i - 1];
+      right[i] = right[i] - factor * right[i - 1];
+    }
+  }
+  for (std::size_t i = n - 2; i >= 1; --i) m[i] = (1.0 / diagonal[i]) * (right[i] - h[i] * m[i + 1]);
+  return m;
+}
+
+std::vector<double> chords(std::span<const Vec2> points) {
+  std::vector<double> h;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) h.push_back(distance(points[i], points[i + 1]));
+  return h;
+}
+
+}  // namespace
+
+Derivatives derivatives(const BezierSpan& span, double u) {
+  const auto first = hodograph(span.control, span.degree);
+  Derivatives d;
+  d.p = de_casteljau(span.control, span.degree, u);
+  d.d1 = de_casteljau(first, span.degree - 1, u);
+  if (span.degree < 2) return d;
+  const auto second = hodograph(first, span.degree - 1);
+  d.d2 = de_casteljau(second, span.degree - 2, u);
+  if (span.degree < 3) return d;
+  d.d3 = de_casteljau(hodograph(second, span.degree - 2), span.degree - 3, u);
+  return d;
+}
+
+CurvePoint curve_point(const Derivatives& d) {
+  CurvePoint point;
+  point.position = d.p;
+  const double speed2 = squared_norm(d.d1);
+  if (!(speed2 > 0.0)) return point;
+  const double speed = std::sqrt(speed2);
+  point.course = angle_of(d.d1);
+  const double n = cross(d.d1, d.d2);
+  point.curvature = n / (speed2 * speed);
+  // dκ/ds = (n′ s − 3 n (d1·d2)) / s³ with s = |d1|², n = d1 × d2, n′ = d1 × d3.
+  point.curvature_rate = (cross(d.d1, d.d3) * speed2 - 3.0 * n * dot(d.d1, d.d2)) / (speed2 * speed2 * speed2);
+  return point;
+}
+
+CurvePoint evaluate(const BezierSpan& span, double u) { return curve_point(derivatives(span, u)); }
+
+std::pair<BezierSpan, BezierSpan> halve(const BezierSpan& span) {
+  BezierSpan left{span.degree, {}};
+  BezierSpan right{span.degree, {}};
+  auto points = span.control;
+  const auto n = static_cast<std::size_t>(span.degree);
+  left.control[0] = points[0];
+  right.control[n] = points[n];
+  for (std::size_t level = 1; level <= n; ++level) {
+    for (std::size_t i = 0; i + level <= n; ++i) points[i] = 0.5 * (points[i] + points[i + 1]);
+    left.control[level] = points[0];
+    right.control[n - level] = points[n - level];
+  }
+  return {left, right};
+}
+
+double arc_length(const BezierSpan& span, double u0, double u1, int parts) {
+  if (span.degree == 1) return (u1 - u0) * distance(span.control[0], span.control[1]);
+  double sum = 0.0;
+  for (int i = 0; i < parts; ++i) {
+    const double a = u0 + (u1 - u0) * i / parts;
+    const double b = u0 + (u1 - u0) * (i + 1) / parts;
+    sum += gauss(span, a, b);
+  }
+  return sum;
+}
+
+ArcLengthTable::ArcLengthTable(const BezierSpan& span) : span_{span} {
+  cumulative_.push_back(0.0);
+  if (span.degree == 1) {
+    cumulative_.push_back(distance(span.control[0], span.control[1]));
+    return;
+  }
+  for (int i = 0; i < table_parts; ++i) {
+    cumulative_.push_back(cumulative_.back() + gauss(span, static_cast<double>(i) / table_parts,
+                                                     static_cast<double>(i + 1) / table_parts));
+  }
+}
+
+double ArcLengthTable::parameter(double s) const {
+  const double total = length();
+  if (!(s > 0.0) || !(total > 0.0)) return 0.0;
+  if (s >= total) return 1.0;
+  if (span_.degree == 1) return s / total;
+  const auto upper = std::upper_bound(cumulative_.begin(), cumulative_.end(), s);
+  const auto part = static_cast<std::size_t>(upper - cumulative_.begin()) - 1;
+  const double low = static_cast<double>(part) / table_parts;
+  const double high = static_cast<double>(part + 1) / table_parts;
+  const double rest = s - cumulative_[part];
+  double a = low;
+  double b = high;
+  double u = low + (high - low) * rest / (cumulative_[part + 1] - cumulative_[part]);
+  for (int i = 0; i < 30; ++i) {  // Newton, kept inside a shrinking bracket
+    const double error = gauss(span_, low, u) - rest;
+    if (std::abs(error) <= 1e-14 * total) break;
+    (error > 0.0 ? b : a) = u;
+    const double v = speed(span_, u);
+    double next = v > 0.0 ? u - error / v : 0.5 * (a + b);
+    if (!(next > a && next < b)) next = 0.5 * (a + b);
+    if (next == u) break;
+    u = next;
+  }
+  return u;
+}
+
+BezierSpan cubic_hermite(Vec2 p0, Vec2 d0, Vec2 p1, Vec2 d1) {
+  return {3, {p0, p0 + (1.0 / 3.0) * d0, p1 - (1.0 / 3.0) * d1, p1}};
+}
+
+BezierSpan straight_ended_quintic(Vec2 p0, Vec2 d0, Vec2 p1, Vec2 d1) {
+  return {5, {p0, p0 + 0.2 * d0, p0 + 0.4 * d0, p1 - 0.4 * d1, p1 - 0.2 * d1, p1}};
+}
+
+BezierSpan straight_span(Vec2 from, Vec2 to) { return {1, {from, to}}; }
+
+std::vector<BezierSpan> natural_cubic(std::span<const Vec2> points) {
+  const std::vector<double> h = chords(points);
+  const std::vector<Vec2> m = natural_second_derivatives(points, h);
+  std::vector<BezierSpan> spans;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vec2 slope = (1.0 / h[i]) * (points[i + 1] - points[i]);
+    const Vec2 d0 = slope - (h[i] / 6.0) * (2.0 * m[i] + m[i + 1]);
+    const Vec2 d1 = slope + (h[i] / 6.0) * (m[i] + 2.0 * m[i + 1]);
+    spans.push_back(cubic_hermite(points[i], h[i] * d0, points[i + 1], h[i] * d1));
+  }
+  return spans;
+}
+
+std::vector<BezierSpan> clamped_cubic(std::span<const Vec2> points, double start_course, double end_course) {
+  const std::vector<double> h = chords(points);
+  const std::size_t n = points.size();
+  // First derivatives v: h[i] v[i−1] + 2(h[i−1]+h[i]) v[i] + h[i−1] v[i+1] = 3 (h[i] s[i−1] + h[i−1] s[i]).
+  std::vector<Vec2> v(n), right(n);
+  std::vector<double> diagonal(n, 1.0), upper(n, 0.0);
+  v.front() = unit(start_course);
+  v.back() = unit(end_course);
+  right.front() = v.front();
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const Vec2 before = (1.0 / h[i - 1]) * (points[i] - points[i - 1]);
+    const Vec2 after = (1.0 / h[i]) * (points[i + 1] - points[i]);
+    const double lower = h[i];
+    const double factor = lower / diagonal[i - 1];
+    diagonal[i] = 2.0 * (h[i - 1] + h[i]) - factor * upper[i - 1];
+    upper[i] = h[i - 1];
+    right[i] = 3.0 * (h[i] * before + h[i - 1] * after) - factor * right[i - 1];
+  }
+  for (std::size_t i = n - 1; i-- > 1;) v[i] = (1.0 / diagonal[i]) * (right[i] - upper[i] * v[i + 1]);
+  std::vector<BezierSpan> spans;
+  for (std::size_t i = 0; i + 1 < n; ++i) spans.push_back(cubic_hermite(points[i], h[i] * v[i], points[i + 1], h[i] * v[i + 1]));
+  return spans;
+}
+
+}  // namespace waywright

@@ -1,0 +1,59 @@
+// Bézier spans: evaluation, halving, arc length. Laws: halves join and together are the curve; a reversed span is the
+// same point set; hull and tangent cone as in curve.hpp.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "waywright/curve/curve.hpp"
+
+namespace waywright {
+
+/// Position and derivatives with respect to u.
+struct Derivatives {
+  Vec2 p{}, d1{}, d2{}, d3{};
+};
+Derivatives derivatives(const BezierSpan& span, double u);
+
+/// Course, curvature and curvature rate from derivatives; where the speed vanishes, all three are 0.
+CurvePoint curve_point(const Derivatives& d);
+CurvePoint evaluate(const BezierSpan& span, double u);
+
+/// The two halves at u = ½ (de Casteljau).
+std::pair<BezierSpan, BezierSpan> halve(const BezierSpan& span);
+
+/// Arc length over [u0, u1] by 16-point Gauss–Legendre on `parts` equal parts.
+double arc_length(const BezierSpan& span, double u0 = 0.0, double u1 = 1.0, int parts = 4);
+
+/// Arc length to parameter for one span: built once, asked many times.
+class ArcLengthTable {
+ public:
+  explicit ArcLengthTable(const BezierSpan& span);
+  double length() const { return cumulative_.back(); }
+  /// u with arc length s from the beginning; s is clamped to [0, length]. Error under 1e-12 of the length for regular spans.
+  double parameter(double s) const;
+
+ private:
+  BezierSpan span_;
+  std::vector<double> cumulative_;  ///< at u = i / (size − 1)
+};
+
+/// Cubic Hermite data to a Bézier span of degree 3: end points and derivatives with respect to u.
+BezierSpan cubic_hermite(Vec2 p0, Vec2 d0, Vec2 p1, Vec2 d1);
+
+/// Quintic with given end points and end tangents whose second derivatives vanish at both ends, so that curvature is 0 there.
+/// Tangents are derivatives with respect to u.
+BezierSpan straight_ended_quintic(Vec2 p0, Vec2 d0, Vec2 p1, Vec2 d1);
+
+/// A straight span of degree 1.
+BezierSpan straight_span(Vec2 from, Vec2 to);
+
+/// C² interpolating cubic through the points with chord-length parameter and natural ends (second derivative 0), as Bézier
+/// spans. @pre at least 2 points, neighbours distinct. Source: docking publication, Algorithm 2, corrected.
+std::vector<BezierSpan> natural_cubic(std::span<const Vec2> points);
+
+/// The same with clamped ends: unit tangents of the given courses at both ends.
+std::vector<BezierSpan> clamped_cubic(std::span<const Vec2> points, double start_course, double end_course);
+
+}  // namespace waywright

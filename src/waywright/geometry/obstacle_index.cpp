@@ -1,0 +1,216 @@
+#include "waywright/geometry/obstacle_index.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace waywright {
+namespace {
+
+constexpr std::uint32_t leaf_size = 4;
+
+Box box_of(const Segment& s) {
+  return {{std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y)}, {std::max(s.a.x, s.b.x), std::max(s.a.y, s.b.y)}};
+}
+
+void grow(Box& box, const Box& other) {
+  box.low.x = std::min(box.low.x, other.low.x);
+  box.low.y = std::min(box.low.y, other.low.y);
+  box.high.x = std::max(box.high.x, other.high.x);
+  box.high.y = std::max(box.high.y, other.high.y);
+}
+
+double squared_gap(const Box& a, const Box& b) {
+  const double dx = std::max({0.0, a.low.x - b.high.x, b.low.x - a.high.x});
+  const double dy = std::max({0.0, a.low.y - b.high.y, b.low.y - a.high.y});
+  return dx * dx + dy * dy;
+}
+
+Box box_of(std::span<const Vec2> ring) {
+  Box box{ring.front(), ring.front()};
+  for (const Vec2 p : ring.subspan(1)) grow(box, {p, p});
+  return box;
+}
+
+/// Even-odd rule; points and segments have no inside.
+bool inside(std::span<const Vec2> ring, Vec2 p) {
+  if (ring.size() < 3) return false;
+  bool in = false;
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    const Vec2 a = ring[i];
+    const Vec2 b = ring[j];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) in = !in;
+  }
+  return in;
+}
+
+struct Candidate {
+  double squared = 0.0;
+  Vec2 on{};
+};
+
+Candidate point_to_segment(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 d = b - a;
+  const double length2 = squared_norm(d);
+  const double t = length2 > 0.0 ? std::clamp(dot(p - a, d) / length2, 0.0, 1.0) : 0.0;
+  const Vec2 q = a + t * d;
+  return {squared_norm(p - q), q};
+}
+
+/// Proper or touching crossing by orientation signs; collinear overlap is left to the end-point distances, which are 0 there.
+bool cross_each_other(Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1) {
+  const double d0 = cross(b1 - b0, a0 - b0);
+  const double d1 = cross(b1 - b0, a1 - b0);
+  const double e0 = cross(a1 - a0, b0 - a0);
+  const double e1 = cross(a1 - a0, b1 - a0);
+  return ((d0 > 0.0) != (d1 > 0.0)) && ((e0 > 0.0) != (e1 > 0.0));
+}
+
+/// Squared distance of two segments and the nearest point of b.
+Candidate segment_to_segment(Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1) {
+  if (cross_each_other(a0, a1, b0, b1)) {
+    const Vec2 r = a1 - a0;
+    const Vec2 s = b1 - b0;
+    const double denominator = cross(s, r);
+    const double u = denominator != 0.0 ? std::clamp(cross(a0 - b0, r) / denominator, 0.0, 1.0) : 0.0;
+    return {0.0, b0 + u * s};
+  }
+  Candidate best = point_to_segment(a0, b0, b1);
+  if (const Candidate c = point_to_segment(a1, b0, b1); c.squared < best.squared) best = c;
+  if (const Candidate c = point_to_segment(b0, a0, a1); c.squared < best.squared) best = {c.squared, b0};
+  if (const Candidate c = point_to_segment(b1, a0, a1); c.squared < best.squared) best = {c.squared, b1};
+  return best;
+}
+
+/// Squared distance of a segment to the area of a ring, and the segment's nearest point.
+Candidate ring_to_segment(std::span<const Vec2> ring, const Segment& s) {
+  if (inside(ring, s.a)) return {0.0, s.a};
+  if (ring.size() == 1) {
+    return point_to_segment(ring[0], s.a, s.b);
+  }
+  Candidate best{std::numeric_limits<double>::infinity(), s.a};
+  const std::size_t edges = ring.size() == 2 ? 1 : ring.size();
+  for (std::size_t i = 0; i < edges; ++i) {
+    const Candidate c = segment_to_segment(ring[i], ring[(i + 1) % ring.size()], s.a, s.b);
+    if (c.squared < best.squared) best = c;
+    if (best.squared == 0.0) break;
+  }
+  return best;
+}
+
+}  // namespace
+
+double point_segment_distance(Vec2 p, Vec2 a, Vec2 b, Vec2* on) {
+  const Candidate c = point_to_segment(p, a, b);
+  if (on != nullptr) *on = c.on;
+  return std::sqrt(c.squared);
+}
+
+double segment_distance(Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1, Vec2* on_b) {
+  const Candidate c = segment_to_segment(a0, a1, b0, b1);
+  if (on_b != nullptr) *on_b = c.on;
+  return std::sqrt(c.squared);
+}
+
+ObstacleIndex::ObstacleIndex(std::vector<Segment> segments) : segments_{std::move(segments)} {
+  if (segments_.empty()) return;
+  nodes_.reserve(segments_.size());
+  build(0, static_cast<std::uint32_t>(segments_.size()));
+}
+
+std::uint32_t ObstacleIndex::build(std::uint32_t begin, std::uint32_t end) {
+  const auto index = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.emplace_back();
+  Box box = box_of(segments_[begin]);
+  for (std::uint32_t i = begin + 1; i < end; ++i) grow(box, box_of(segments_[i]));
+  nodes_[index].box = box;
+  if (end - begin <= leaf_size) {
+    nodes_[index].first = begin;
+    nodes_[index].count = end - begin;
+    return index;
+  }
+  // Median split along the longer side: depth stays logarithmic whatever the data, so that recursion and stack are bounded.
+  const bool along_x = box.high.x - box.low.x >= box.high.y - box.low.y;
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  const auto key = [along_x](const Segment& s) { return along_x ? s.a.x + s.b.x : s.a.y + s.b.y; };
+  std::nth_element(segments_.begin() + begin, segments_.begin() + middle, segments_.begin() + end,
+                   [&](const Segment& l, const Segment& r) { return key(l) < key(r); });
+  build(begin, middle);
+  const std::uint32_t right = build(middle, end);
+  nodes_[index].first = right;
+  return index;
+}
+
+Nearest ObstacleIndex::nearest(std::span<const Vec2> ring, double limit) const {
+  Nearest answer;
+  answer.distance = limit;
+  if (nodes_.empty() || ring.empty() || !(limit > 0.0)) return answer;
+  const Box box = box_of(ring);
+  double best = limit * limit;
+  struct Entry {
+    std::uint32_t node;
+    double gap;
+  };
+  std::array<Entry, 128> stack;
+  std::size_t top = 0;
+  stack[top++] = {0, squared_gap(nodes_[0].box, box)};
+  while (top > 0) {
+    const Entry entry = stack[--top];
+    if (entry.gap >= best) continue;
+    const Node& node = nodes_[entry.node];
+    if (node.count > 0) {
+      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+        const Segment& s = segments_[i];
+        if (squared_gap(box_of(s), box) >= best) continue;
+        const Candidate c = ring_to_segment(ring, s);
+        if (c.squared < best) {
+          best = c.squared;
+          answer.point = c.on;
+          answer.source = s.source;
+          answer.found = true;
+          if (best == 0.0) {
+            answer.distance = 0.0;
+            return answer;
+          }
+        }
+      }
+      continue;
+    }
+    Entry left{entry.node + 1, squared_gap(nodes_[entry.node + 1].box, box)};
+    Entry right{node.first, squared_gap(nodes_[node.first].box, box)};
+    if (left.gap < right.gap) std::swap(left, right);  // the nearer one is popped first
+    if (left.gap < best) stack[top++] = left;
+    if (right.gap < best) stack[top++] = right;
+  }
+  if (answer.found) answer.distance = std::sqrt(best);
+  return answer;
+}
+
+bool ObstacleIndex::is_clear(std::span<const Vec2> ring, double margin) const {
+  if (nodes_.empty() || ring.empty()) return true;
+  // "≤ margin is a hit": look just beyond the margin.
+  const double limit = std::nextafter(std::max(margin, 0.0), std::numeric_limits<double>::infinity());
+  const Box box = box_of(ring);
+  const double limit2 = margin > 0.0 ? limit * limit : std::numeric_limits<double>::min();
+  std::array<std::uint32_t, 128> stack;
+  std::size_t top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const std::uint32_t index = stack[--top];
+    const Node& node = nodes_[index];
+    if (squared_gap(node.box, box) >= limit2) continue;
+    if (node.count == 0) {
+      stack[top++] = index + 1;
+      stack[top++] = node.first;
+      continue;
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const Segment& s = segments_[i];
+      if (squared_gap(box_of(s), box) < limit2 && ring_to_segment(ring, s).squared < limit2) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace waywright

@@ -1,0 +1,58 @@
+// Segments and points in a hierarchy of boxes, asked for their distance to a moving outline.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "waywright/geometry/polygon.hpp"
+
+namespace waywright {
+
+/// A piece of an obstacle's outline; a == b is a point.
+struct Segment {
+  Vec2 a{};
+  Vec2 b{};
+  std::uint32_t source = 0;  ///< who owns it, for messages
+};
+
+struct Nearest {
+  double distance = 0.0;           ///< m; 0 on contact
+  Vec2 point{};                    ///< on the obstacle
+  std::uint32_t source = 0;
+  bool found = false;              ///< something nearer than the limit was found
+};
+
+class ObstacleIndex {
+ public:
+  ObstacleIndex() = default;
+  explicit ObstacleIndex(std::vector<Segment> segments);
+
+  bool empty() const { return segments_.empty(); }
+  std::size_t size() const { return segments_.size(); }
+  const std::vector<Segment>& segments() const { return segments_; }
+
+  /// Nearest segment to the area of a closed ring (world frame; one point or two are a point or a segment), exact, looked
+  /// for below `limit`. Laws: distance ≥ 0; unchanged by a rigid motion of both up to rounding; 0 where they overlap.
+  Nearest nearest(std::span<const Vec2> ring, double limit) const;
+  /// True where nothing is within `margin` (≤) of the ring's area.
+  bool is_clear(std::span<const Vec2> ring, double margin) const;
+
+ private:
+  struct Node {
+    Box box;
+    std::uint32_t first = 0;  ///< leaf: first segment; inner: right child (left child is the next node)
+    std::uint32_t count = 0;  ///< 0: inner
+  };
+  std::uint32_t build(std::uint32_t begin, std::uint32_t end);
+
+  std::vector<Segment> segments_;
+  std::vector<Node> nodes_;
+};
+
+/// Least distance between two closed segments; 0 where they cross. `on_b` receives the nearest point of b.
+double segment_distance(Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1, Vec2* on_b = nullptr);
+double point_segment_distance(Vec2 p, Vec2 a, Vec2 b, Vec2* on = nullptr);
+
+}  // namespace waywright

@@ -1,0 +1,21 @@
+// Reading and writing files: sizes bounded, written whole or not at all.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "waywright/core/result.hpp"
+
+namespace waywright {
+
+/// The whole file, refused beyond `limit` bytes, when missing, a directory or unreadable.
+Parsed<std::string> read_file(const std::filesystem::path& path, std::uint64_t limit);
+
+/// Creates the folders needed, writes beside the target and renames: the file appears whole or not at all.
+Parsed<void> write_file(const std::filesystem::path& path, const std::string& content);
+
+/// Lower-case hexadecimal SHA-256.
+std::string sha256(const std::string& bytes);
+
+}  // namespace waywright

@@ -1,0 +1,216 @@
+// ROS map_server's yaml with its picture, and bare pictures.
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "waywright/io/files.hpp"
+#include "waywright/io/image.hpp"
+#include "waywright/io/json_reader.hpp"
+#include "waywright/io/map_io.hpp"
+
+namespace waywright {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t largest_yaml = 1 << 20;
+constexpr std::uint64_t largest_image_file = 1ULL << 30;
+constexpr std::size_t deepest_yaml = 32;
+
+struct Header {
+  std::string image;
+  double resolution = 0.0;
+  Pose origin{};
+  bool negate = false;
+  double occupied = 0.65;
+  double free = 0.196;
+  enum class Mode { trinary, scale, raw } mode = Mode::trinary;
+};
+
+/// Aliases and deep nesting have no place in a map's header, and are where YAML parsers suffer.
+std::optional<std::string> suspicious(const std::string& text) {
+  std::size_t depth = 0;
+  bool token_start = true;
+  for (const char c : text) {
+    if ((c == '[' || c == '{') && ++depth > deepest_yaml) return "the yaml is nested too deeply";
+    if ((c == ']' || c == '}') && depth > 0) --depth;
+    if (token_start && (c == '&' || c == '*')) return "the yaml uses anchors or aliases, which a map's header does not need";
+    token_start = c == ' ' || c == '\n' || c == ':' || c == '-' || c == '[' || c == ',' || c == '{';
+  }
+  std::size_t indent = 0;
+  std::size_t line = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\n') line = i + 1;
+    else if (text[i] == ' ' && i == line + indent) indent = i - line + 1;
+    if (indent > 4 * deepest_yaml) return "the yaml is nested too deeply";
+    if (text[i] == '\n') indent = 0;
+  }
+  return std::nullopt;
+}
+
+class HeaderReader {
+ public:
+  HeaderReader(const YAML::Node& root, ReadContext& context) : root_{root}, context_{context} {}
+
+  Header read() {
+    Header header;
+    header.image = scalar("image", true);
+    header.resolution = number("resolution", true, 0.0);
+    if (!(header.resolution > 0.0 && header.resolution <= 1e3)) context_.fail("resolution", fmt::format("{} is out of range", header.resolution), "above 0, at most 1000 m");
+    header.origin = origin();
+    header.negate = number("negate", false, 0.0) != 0.0;
+    header.occupied = threshold("occupied_thresh", header.occupied);
+    header.free = threshold("free_thresh", header.free);
+    const std::string mode = root_["mode"] ? scalar("mode", false) : "trinary";
+    if (mode == "scale") header.mode = Header::Mode::scale;
+    else if (mode == "raw") header.mode = Header::Mode::raw;
+    else if (mode != "trinary") context_.fail("mode", fmt::format("\"{}\" is not known", mode), "trinary, scale, raw");
+    return header;
+  }
+
+ private:
+  std::string scalar(const char* field, bool needed) {
+    const YAML::Node node = root_[field];
+    if (!node) {
+      if (needed) context_.fail(field, "the field is missing");
+      return {};
+    }
+    if (!node.IsScalar()) {
+      context_.fail(field, "it is not a plain value");
+      return {};
+    }
+    return node.Scalar();
+  }
+
+  double parse(const std::string& text, const std::string& field) {
+    if (text == "true") return 1.0;
+    if (text == "false") return 0.0;
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !std::isfinite(value) || std::abs(value) > 1e9) {
+      context_.fail(field, fmt::format("\"{}\" is not a number that can be used", text.substr(0, 40)));
+      return 0.0;
+    }
+    return value;
+  }
+
+  double number(const char* field, bool needed, double fallback) {
+    if (!root_[field] && !needed) return fallback;
+    const std::string text = scalar(field, needed);
+    return context_.error ? fallback : parse(text, field);
+  }
+
+  double threshold(const char* field, double fallback) {
+    const double value = number(field, false, fallback);
+    if (!(value >= 0.0 && value <= 1.0)) context_.fail(field, fmt::format("{} is out of range", value), "0 to 1");
+    return value;
+  }
+
+  Pose origin() {
+    const YAML::Node node = root_["origin"];
+    if (!node || !node.IsSequence() || node.size() != 3) {
+      context_.fail("origin", node ? "it is not a list of three numbers" : "the field is missing", "[x, y, yaw]");
+      return {};
+    }
+    std::array<double, 3> values{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!node[i].IsScalar()) {
+        context_.fail("origin", "it is not a list of three numbers", "[x, y, yaw]");
+        return {};
+      }
+      values[i] = parse(node[i].Scalar(), fmt::format("origin[{}]", i));
+    }
+    return {values[0], values[1], wrap(values[2])};
+  }
+
+  const YAML::Node& root_;
+  ReadContext& context_;
+};
+
+/// 0 free, 1 occupied, 2 unknown for each grey value, as map_server has it.
+std::array<std::uint8_t, 256> classes_of(const Header& header, bool unknown_is_free) {
+  std::array<std::uint8_t, 256> classes{};
+  const std::uint8_t unknown = unknown_is_free ? 0 : 2;
+  for (std::size_t grey = 0; grey < 256; ++grey) {
+    const double p = static_cast<double>(header.negate ? grey : 255 - grey) / 255.0;
+    if (header.mode == Header::Mode::raw) {
+      // Raw cells hold occupancy in per cent (0…100); everything else is unknown.
+      const double percent = static_cast<double>(grey);
+      classes[grey] = percent > 100.0                            ? unknown
+                      : percent >= header.occupied * 100.0 ? std::uint8_t{1}
+                      : percent <= header.free * 100.0     ? std::uint8_t{0}
+                                                           : unknown;
+    } else {
+      classes[grey] = p > header.occupied ? std::uint8_t{1} : p < header.free ? std::uint8_t{0} : unknown;
+      // Scale mode has no unknown between its thresholds, only degrees: what is likelier occupied than not is blocked.
+      if (header.mode == Header::Mode::scale && p <= header.occupied && p >= header.free) {
+        const double range = header.occupied - header.free;
+        classes[grey] = range > 0.0 && (p - header.free) / range >= 0.5 ? 1 : 0;
+      }
+    }
+  }
+  return classes;
+}
+
+std::optional<InputError> check_extent(const CellGrid& grid, const std::string& name) {
+  for (const int column : {0, grid.columns}) {
+    for (const int row : {0, grid.rows}) {
+      const Vec2 p = grid.corner(column, row);
+      if (std::max(std::abs(p.x), std::abs(p.y)) > largest_coordinate) {
+        return InputError{name, "", fmt::format("the map reaches ({:g}, {:g})", p.x, p.y), "coordinates within 1e6 m"};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Parsed<LoadedGrid> load_ros_map(const fs::path& yaml, bool unknown_is_free) {
+  auto text = read_file(yaml, largest_yaml);
+  if (!text) return tl::unexpected{text.error()};
+  ReadContext context{yaml.string(), {}, 0};
+  if (auto problem = suspicious(*text)) return tl::unexpected{InputError{yaml.string(), "", *problem, "a flat list of fields"}};
+  Header header;
+  try {
+    const YAML::Node root = YAML::Load(*text);
+    if (!root.IsMap()) return tl::unexpected{InputError{yaml.string(), "", "it is not a yaml map", "image, resolution, origin, …"}};
+    header = HeaderReader{root, context}.read();
+  } catch (const YAML::Exception& e) {
+    return tl::unexpected{InputError{yaml.string(), "", fmt::format("not valid yaml near line {}", e.mark.line + 1), ""}};
+  }
+  if (context.error) return tl::unexpected{*context.error};
+
+  const fs::path image_path = yaml.parent_path() / header.image;  // an absolute image path replaces the folder
+  auto bytes = read_file(image_path, largest_image_file);
+  if (!bytes) return tl::unexpected{bytes.error()};
+  auto image = decode_image(*bytes, image_path.string());
+  if (!image) return tl::unexpected{image.error()};
+
+  LoadedGrid loaded;
+  loaded.grid = {yaml.filename().string(), image->width, image->height, header.resolution, header.origin,
+                 std::move(image->pixels), true};
+  const auto classes = classes_of(header, unknown_is_free);
+  for (std::uint8_t& cell : loaded.grid.blocked) cell = classes[cell];
+  if (auto error = check_extent(loaded.grid, yaml.string())) return tl::unexpected{*error};
+  loaded.files = {{yaml.string(), sha256(*text)}, {image_path.string(), sha256(*bytes)}};
+  return loaded;
+}
+
+Parsed<LoadedGrid> load_image_map(const fs::path& path, double resolution, const Pose& origin, double occupied_below) {
+  auto bytes = read_file(path, largest_image_file);
+  if (!bytes) return tl::unexpected{bytes.error()};
+  auto image = decode_image(*bytes, path.string());
+  if (!image) return tl::unexpected{image.error()};
+  LoadedGrid loaded;
+  loaded.grid = {path.filename().string(), image->width, image->height, resolution, origin, std::move(image->pixels), true};
+  for (std::uint8_t& cell : loaded.grid.blocked) cell = static_cast<double>(cell) / 255.0 < occupied_below ? 1 : 0;
+  if (auto error = check_extent(loaded.grid, path.string())) return tl::unexpected{*error};
+  loaded.files = {{path.string(), sha256(*bytes)}};
+  return loaded;
+}
+
+}  // namespace waywright

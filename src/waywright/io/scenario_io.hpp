@@ -1,0 +1,27 @@
+// scenario.json and vehicle.json.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "waywright/core/result.hpp"
+#include "waywright/scenario/scenario.hpp"
+
+namespace waywright {
+
+/// Reads and checks every field; paths inside are relative to the file.
+Parsed<Scenario> read_scenario(const std::filesystem::path& file);
+/// The same from text; `name` stands for the file in messages, `folder` is where relative paths start.
+Parsed<Scenario> parse_scenario(const std::string& text, const std::string& name, const std::filesystem::path& folder);
+
+Parsed<Vehicle> read_vehicle(const std::filesystem::path& file);
+
+/// A map alone: scenario.json's `map` object in a file of its own, a ROS yaml or a picture (resolution needed), by extension.
+Parsed<Map> read_map(const std::filesystem::path& file);
+/// A map.json (polygons and cells inlined), as `map` writes it.
+std::string map_json(const Map& map);
+
+/// The scenario as a JSON text that read_scenario accepts: defaults filled in, map inlined.
+std::string scenario_json(const Scenario& scenario, int indent = 2);
+
+}  // namespace waywright

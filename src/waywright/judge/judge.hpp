@@ -1,0 +1,26 @@
+// From a path, whoever made it, to a judged plan: samples, speed, metrics, proof, status.
+#pragma once
+
+#include "waywright/judge/plan.hpp"
+#include "waywright/scenario/problem.hpp"
+
+namespace waywright {
+
+/// Fills path, samples (with t and speed), metrics, certificate, status, reason, version, scenario, timing.prove.
+/// Nothing here knows of planners.
+Plan judge(const Problem& problem, Path path);
+
+/// A plan without a path.
+Plan failed_plan(const Problem& problem, const Failure& failure);
+
+/// What `verify` reports: the plan file's own claims held against a fresh proof.
+struct Verification {
+  bool holds = false;
+  std::vector<std::string> findings;  ///< what does not hold, one sentence each; empty where it holds
+  Plan fresh;                         ///< the path judged anew
+};
+/// Re-proves `plan` (path from its pieces; samples, metrics and certificate checked against them).
+/// Error where the scenario inside it cannot be prepared.
+Parsed<Verification> verify(const Plan& plan);
+
+}  // namespace waywright

@@ -1,0 +1,54 @@
+// The judged result: what a plan file holds. One type for every planner, for imported paths and for verification.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "waywright/core/result.hpp"
+#include "waywright/metrics/metrics.hpp"
+#include "waywright/path/path.hpp"
+#include "waywright/proof/proof.hpp"
+#include "waywright/scenario/scenario.hpp"
+
+namespace waywright {
+
+struct Timing {
+  double load = 0.0, prepare = 0.0, plan = 0.0, prove = 0.0;  ///< s
+};
+
+struct Effort {
+  std::int64_t evaluations = 0;  ///< candidate paths, or states checked by a sampling planner
+};
+
+/// Something that was tried and not taken (or taken): a side, a form, a second choice.
+struct Alternative {
+  std::string name;            ///< "left side", "right side", "Reeds-Shepp, RRTConnect"
+  bool chosen = false;
+  std::optional<double> cost;  ///< of the planner's objective; absent where nothing feasible was found
+  std::string outcome;         ///< one sentence
+  std::vector<Pose> poses;     ///< best path found, for the picture; may be empty
+  Ring zone;                   ///< transition zone, for the picture; may be empty
+};
+
+struct Plan {
+  std::string version;
+  Status status = Status::no_path;
+  std::string reason;  ///< empty where solved
+  bool reproducible = true;
+  Scenario scenario;  ///< as used, defaults filled in
+  std::string planner;
+  Parameters parameters;  ///< all of the planner's, defaults filled in
+  std::uint64_t seed = 1;
+  Timing timing;
+  Effort effort;
+  Path path;                    ///< empty where there is none
+  std::vector<Sample> samples;  ///< empty where there is no path
+  Metrics metrics;
+  Certificate certificate;
+  std::vector<std::string> explanation;
+  std::vector<Alternative> alternatives;
+};
+
+}  // namespace waywright

@@ -1,0 +1,171 @@
+#include "waywright/map/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace waywright {
+
+PlacedOutline::PlacedOutline(const Footprint& footprint, const Pose& pose) {
+  if (footprint.is_disc()) {
+    small_[0] = pose.position();
+    count_ = 1;
+    return;
+  }
+  const Frame frame{pose};
+  if (footprint.polygon.size() > capacity) {
+    large_ = transformed(footprint.polygon, frame);
+    return;
+  }
+  for (const Vec2 p : footprint.polygon) small_[count_++] = frame.to_world(p);
+}
+
+World::World(const Map& map) : map_{map} {
+  for (std::size_t i = 0; i < map.boundaries.size(); ++i) {
+    add_boundary(map.boundaries[i], map.boundaries.size() == 1 ? "the boundary" : "boundary " + std::to_string(i));
+  }
+  for (std::size_t i = 0; i < map.obstacles.size(); ++i) add_obstacle(map.obstacles[i], "obstacle " + std::to_string(i));
+  for (std::size_t i = 0; i < map.lines.size(); ++i) {
+    const std::size_t source = add_source("line " + std::to_string(i), false);
+    const Polyline& line = map.lines[i];
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      segments_.push_back({line[k], line[k + 1], static_cast<std::uint32_t>(source)});
+    }
+  }
+  for (std::size_t i = 0; i < map.points.size(); ++i) {
+    const std::size_t source = add_source("scan point " + std::to_string(i), false);
+    segments_.push_back({map.points[i], map.points[i], static_cast<std::uint32_t>(source)});
+  }
+  for (const CellGrid& grid : map.grids) add_grid(grid);
+}
+
+std::size_t World::add_source(std::string name, bool boundary) {
+  sources_.push_back({std::move(name), boundary});
+  return sources_.size() - 1;
+}
+
+void World::add_ring_edges(const Ring& ring, std::size_t source) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    segments_.push_back({ring[i], ring[(i + 1) % ring.size()], static_cast<std::uint32_t>(source)});
+  }
+}
+
+void World::add_boundary(const Ring& ring, std::string name) {
+  const std::size_t source = add_source(std::move(name), true);
+  boundaries_.push_back({ring, bounding_box(ring), source});
+  add_ring_edges(ring, source);
+}
+
+void World::add_obstacle(const Ring& ring, std::string name) {
+  const std::size_t source = add_source(std::move(name), false);
+  obstacles_.push_back({ring, bounding_box(ring), source});
+  add_ring_edges(ring, source);
+}
+
+/// The outline between blocked and free cells, straight runs merged: with the inside test it is the exact union of the cells.
+void World::add_grid(const CellGrid& grid) {
+  const std::size_t source = add_source((grid.name.empty() ? std::string{"the grid"} : grid.name) + " (blocked cell)", false);
+  grid_sources_.push_back(source);
+  const auto id = static_cast<std::uint32_t>(source);
+  const auto blocked = [&grid](int column, int row) {
+    if (column < 0 || row < 0 || column >= grid.columns || row >= grid.rows) return grid.bounds;
+    return grid.is_blocked(column, row);
+  };
+  const Frame frame{grid.origin};
+  const auto corner = [&](int column, int row) {
+    return frame.to_world(Vec2{column * grid.cell, (grid.rows - row) * grid.cell});
+  };
+  for (int row = 0; row <= grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      if (blocked(column, row - 1) == blocked(column, row)) continue;
+      const int first = column;
+      while (column < grid.columns && blocked(column, row - 1) != blocked(column, row)) ++column;
+      segments_.push_back({corner(first, row), corner(column, row), id});
+    }
+  }
+  for (int column = 0; column <= grid.columns; ++column) {
+    for (int row = 0; row < grid.rows; ++row) {
+      if (blocked(column - 1, row) == blocked(column, row)) continue;
+      const int first = row;
+      while (row < grid.rows && blocked(column - 1, row) != blocked(column, row)) ++row;
+      segments_.push_back({corner(column, first), corner(column, row), id});
+    }
+  }
+}
+
+void World::build() {
+  index_ = ObstacleIndex{std::move(segments_)};
+  segments_.clear();
+}
+
+bool World::inside_blocked(Vec2 point, Contact& contact) const {
+  contact.clearance = 0.0;
+  contact.point = point;
+  for (const NamedRing& boundary : boundaries_) {
+    if (boundary.box.contains(point) && contains(boundary.ring, point)) continue;
+    contact.source = boundary.source;
+    contact.outside = true;
+    return true;
+  }
+  for (const NamedRing& obstacle : obstacles_) {
+    if (!obstacle.box.contains(point) || !contains(obstacle.ring, point)) continue;
+    contact.source = obstacle.source;
+    return true;
+  }
+  for (std::size_t i = 0; i < map_.grids.size(); ++i) {
+    const CellGrid& grid = map_.grids[i];
+    const Vec2 local = Frame{grid.origin}.to_local(point);
+    const double column = std::floor(local.x / grid.cell);
+    const double row = grid.rows - 1 - std::floor(local.y / grid.cell);
+    const bool within = column >= 0 && row >= 0 && column < grid.columns && row < grid.rows;
+    const bool blocked =
+        within ? grid.is_blocked(static_cast<int>(column), static_cast<int>(row)) : grid.bounds;
+    if (!blocked) continue;
+    contact.source = grid_sources_[i];
+    contact.outside = !within;
+    return true;
+  }
+  return false;
+}
+
+Contact World::clearance(std::span<const Vec2> ring, double radius, double enough) const {
+  Contact contact;
+  if (inside_blocked(ring.front(), contact)) return contact;
+  const Nearest nearest = index_.nearest(ring, enough + radius);
+  contact.clearance = std::max(0.0, nearest.distance - radius);
+  if (nearest.found) {
+    contact.point = nearest.point;
+    contact.source = nearest.source;
+    contact.outside = sources_[nearest.source].boundary && contact.clearance == 0.0;
+  }
+  return contact;
+}
+
+Contact World::clearance(const Footprint& footprint, const Pose& pose, double enough) const {
+  return clearance(PlacedOutline{footprint, pose}.ring(), footprint.is_disc() ? footprint.disc : 0.0, enough);
+}
+
+bool World::is_free(const Footprint& footprint, const Pose& pose, double margin) const {
+  const PlacedOutline outline{footprint, pose};
+  Contact contact;
+  if (inside_blocked(outline.ring().front(), contact)) return false;
+  return index_.is_clear(outline.ring(), margin + (footprint.is_disc() ? footprint.disc : 0.0));
+}
+
+std::string World::source_name(std::size_t source) const {
+  return source < sources_.size() ? sources_[source].name : std::string{"nothing"};
+}
+
+Box World::bounds() const {
+  std::optional<Box> box;
+  for (const Segment& s : index_.segments()) {
+    for (const Vec2 p : {s.a, s.b}) {
+      if (!box) box = Box{p, p};
+      box->low = {std::min(box->low.x, p.x), std::min(box->low.y, p.y)};
+      box->high = {std::max(box->high.x, p.x), std::max(box->high.y, p.y)};
+    }
+  }
+  return box.value_or(Box{{-0.5, -0.5}, {0.5, 0.5}});
+}
+
+}  // namespace waywright

@@ -1,0 +1,90 @@
+// The map made ready for distance questions: every kind of obstacle as segments and points in one hierarchy, with
+// inside tests beside it. Immutable once built; safe to read from many threads.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "waywright/map/map.hpp"
+#include "waywright/geometry/obstacle_index.hpp"
+#include "waywright/vehicle/vehicle.hpp"
+
+namespace waywright {
+
+/// What stands nearest to a footprint.
+struct Contact {
+  double clearance = 0.0;   ///< m; 0 where they touch or overlap; a lower bound no less than `enough` where it is beyond that
+  Vec2 point{};             ///< obstacle's nearest point, world frame
+  std::size_t source = 0;   ///< index for World::source_name
+  bool outside = false;     ///< the pose is outside a boundary or the grid, rather than against an obstacle
+};
+
+/// A footprint's outline placed in the world; a disc is its centre. Small footprints need no allocation.
+class PlacedOutline {
+ public:
+  PlacedOutline(const Footprint& footprint, const Pose& pose);
+  std::span<const Vec2> ring() const { return large_.empty() ? std::span<const Vec2>{small_.data(), count_} : large_; }
+
+ private:
+  static constexpr std::size_t capacity = 24;
+  std::array<Vec2, capacity> small_;
+  std::size_t count_ = 0;
+  std::vector<Vec2> large_;
+};
+
+class World {
+ public:
+  World() = default;
+  explicit World(const Map& map);
+
+  /// Adds before `build()`.
+  void add_boundary(const Ring& ring, std::string name);
+  void add_obstacle(const Ring& ring, std::string name);
+  void build();
+
+  /// Exact clearance of the footprint at a pose: the least distance from its area to anything blocked, 0 on contact.
+  /// Where it is at least `enough` the search may stop early and return any lower bound ≥ enough.
+  Contact clearance(const Footprint& footprint, const Pose& pose, double enough) const;
+
+  /// The same for the area of a closed ring in the world frame (one or two points allowed), grown by `radius`.
+  Contact clearance(std::span<const Vec2> ring, double radius, double enough) const;
+
+  /// True where clearance(footprint, pose) > margin. Cheaper than asking for the distance.
+  bool is_free(const Footprint& footprint, const Pose& pose, double margin) const;
+
+  /// "obstacle 3", "scan point 17", "shelf", "boundary", "warehouse.yaml (occupied cell)"; for messages.
+  std::string source_name(std::size_t source) const;
+
+  Box bounds() const;  ///< of everything known; a unit box about the origin where nothing is
+  const Map& map() const { return map_; }
+  bool empty() const { return index_.empty() && boundaries_.empty(); }
+
+ private:
+  struct NamedRing {
+    Ring ring;
+    Box box;
+    std::size_t source;
+  };
+  struct Source {
+    std::string name;
+    bool boundary = false;
+  };
+  std::size_t add_source(std::string name, bool boundary);
+  void add_ring_edges(const Ring& ring, std::size_t source);
+  void add_grid(const CellGrid& grid);
+  /// Contact where a point of the body stands inside something solid or outside a boundary.
+  bool inside_blocked(Vec2 point, Contact& contact) const;
+
+  Map map_;
+  std::vector<NamedRing> boundaries_;
+  std::vector<NamedRing> obstacles_;
+  std::vector<Source> sources_;
+  std::vector<Segment> segments_;  ///< until build()
+  ObstacleIndex index_;
+  std::vector<std::size_t> grid_sources_;
+};
+
+}  // namespace waywright

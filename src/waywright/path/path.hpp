@@ -1,0 +1,59 @@
+// A path: curves in order, each driven in one direction.
+#pragma once
+
+#include <vector>
+
+#include "waywright/curve/curve.hpp"
+
+namespace waywright {
+
+/// direction: +1 forward (the vehicle's heading is the curve's course), −1 backward (course + π), 0 turning on the spot.
+struct Piece {
+  Curve curve;
+  int direction = 1;
+};
+
+struct Path {
+  std::vector<Piece> pieces;
+};
+
+/// One row of the plan file's samples. Where direction changes a pose stands twice, at the same s.
+struct Sample {
+  double s = 0.0;        ///< m from the start, along the path
+  double x = 0.0;        ///< m
+  double y = 0.0;        ///< m
+  double heading = 0.0;  ///< of the vehicle, (−π, π]
+  double course = 0.0;   ///< direction of travel, (−π, π]
+  double curvature = 0.0;       ///< of the followed curve in its direction of travel, 1/m, left positive; 0 when turning on the spot
+  double curvature_rate = 0.0;  ///< dκ/ds, 1/m²
+  int direction = 1;
+  double t = 0.0;      ///< s from the start
+  double speed = 0.0;  ///< m/s, ≥ 0
+  std::size_t piece = 0;  ///< index into Path::pieces
+
+  Pose pose() const { return {x, y, heading}; }
+};
+
+/// Vehicle poses at the path's two ends. @pre the path is not empty
+Pose start_pose(const Path& path);
+Pose end_pose(const Path& path);
+Pose start_pose(const Piece& piece);
+Pose end_pose(const Piece& piece);
+
+/// Length of one piece or path in metres (turning on the spot has none).
+double length(const Piece& piece);
+double length(const Path& path);
+
+/// Curvature in the direction of travel at the two ends of a piece, 1/m.
+double start_curvature(const Piece& piece);
+double end_curvature(const Piece& piece);
+
+/// Samples at most `step` metres and `step` radians apart, and so dense that straight interpolation of the poses stays
+/// within `tolerance` of the true motion for every point at most `radius` from the vehicle's origin.
+/// First = start, last = end; t and speed are left at 0 (speed/ fills them).
+std::vector<Sample> sample(const Path& path, double radius, double tolerance, double step = 0.05);
+
+/// Places i where the vehicle must stand still between samples i−1 and i (same s): direction changes, turns on the spot.
+bool is_direction_change(const Sample& before, const Sample& after);
+
+}  // namespace waywright

@@ -1,0 +1,47 @@
+// The docking pattern: back from the start to a transition point beside the shelf, change direction, drive forks first into
+// the docked pose. Two splines of four waypoints each (docking publication, §3.2).
+#pragma once
+
+#include <array>
+
+#include "waywright/curve/curve.hpp"
+#include "waywright/path/path.hpp"
+#include "waywright/planner/docking/partition.hpp"
+
+namespace waywright {
+
+/// Distances of the orientation points from the key poses, m.
+struct PatternLeads {
+  double start = 0.2;       ///< straight on leaving the start
+  double transition = 0.2;  ///< straight on arriving at and leaving the transition point
+  double dock = 0.5;        ///< straight run into the docked pose
+};
+
+inline constexpr PatternLeads published_leads{1.0, 1.0, 1.5};
+
+/// Four waypoints of each spline: start, S_o, T_o, T and T, T_o, D_o, D.
+struct PatternPoints {
+  std::array<Vec2, 4> back;
+  std::array<Vec2, 4> forth;
+};
+PatternPoints pattern_points(const Pose& start, const Pose& dock, const Pose& transition, const PatternLeads& leads);
+
+/// Vehicle heading at the transition: the forks point at the shelf's axis, turned by `offset` (away from the shelf positive).
+double transition_heading(Side side, double dock_heading, double offset = 0.0);
+
+/// The published form: natural cubic splines. Misses the wanted headings by some degrees.
+std::array<Spline, 2> published_pattern(const Pose& start, const Pose& dock, const Pose& transition,
+                                        const PatternLeads& leads = published_leads);
+
+/// Our form: straight first and last stretches and a quintic between them whose curvature is 0 at both ends. The headings are
+/// met exactly, and the curvature is 0 and continuous wherever the vehicle stands still.
+std::array<Spline, 2> straight_ended_pattern(const Pose& start, const Pose& dock, const Pose& transition,
+                                             const PatternLeads& leads);
+
+/// The quintic between two courses, tangent lengths chosen for little change of curvature.
+BezierSpan joining_quintic(Vec2 from, double from_course, Vec2 to, double to_course);
+
+/// Both splines as a path: backwards, then forwards.
+Path pattern_path(std::array<Spline, 2> splines);
+
+}  // namespace waywright

@@ -1,0 +1,210 @@
+#include "waywright/planner/docking/pattern_docking.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "waywright/planner/docking/candidate.hpp"
+#include "waywright/planner/docking/side_search.hpp"
+
+namespace waywright {
+namespace {
+
+// The publication's reference transition point in front of and beside the shelf, for its largest curvature of 0.8 1/m.
+constexpr Vec2 published_reference{4.0, 3.5};
+constexpr double published_curvature = 0.8;
+
+double objective_value(const PatternDockingOptions& options, const PathMeasures& path, const PathMeasures& reference) {
+  return options.objective == DockingObjective::normalised
+             ? normalised_cost(path, reference, options.weights)
+             : exponential_cost(path, reference, options.weights);
+}
+
+/// One reference for both sides, so that their costs can be compared: the shorter of the two reference paths, its change of
+/// curvature no more than three bends at the curvature limit.
+PathMeasures reference_measures(const Problem& problem, const DockingTask& task, const PatternLeads& leads,
+                                CandidateEvaluator& evaluator) {
+  const double limit = problem.vehicle().max_curvature();
+  const double scale = std::isfinite(limit) && limit > 0.0 ? published_curvature / limit : 1.0;
+  PathMeasures reference;
+  for (const Zone& zone : task.zones) {
+    const double sign = zone.side == Side::left ? 1.0 : -1.0;
+    const Vec2 point{scale * published_reference.x, sign * scale * published_reference.y};
+    const Pose transition = task.frame.to_world(make_pose(point, transition_heading(zone.side, task.dock.heading)));
+    const CandidateScore score =
+        evaluator.evaluate(straight_ended_pattern(problem.start(), problem.goal(), transition, leads), false);
+    if (reference.length == 0.0 || score.measures.length < reference.length) reference = score.measures;
+  }
+  if (std::isfinite(limit)) reference.curvature_change = std::min(reference.curvature_change, 6.0 * limit);
+  return reference;
+}
+
+std::string infeasible_sentence(const Problem& problem, const SideOutcome& outcome, const CandidateScore& score,
+                                std::int64_t evaluations) {
+  std::string text = fmt::format("On the {} side no pattern fits: of {} candidates the best", to_string(outcome.side),
+                                 evaluations);
+  if (!score.free && score.contact) {
+    text += fmt::format(" came {:.1f} of {:.1f} m before it met {}", score.reach, score.measures.length,
+                        contact_words(problem, *score.contact));
+  } else {
+    const double limit = problem.vehicle().max_curvature();
+    text += fmt::format(" needs a curvature of {:.3f} 1/m", score.measures.max_curvature);
+    if (std::isfinite(limit)) text += fmt::format(" (limit {:.3f})", limit);
+    if (problem.vehicle().limits.curvature_rate) {
+      text += fmt::format(" and a curvature rate of {:.3f} 1/m² (limit {:.3f})", score.max_curvature_rate,
+                          *problem.vehicle().limits.curvature_rate);
+    }
+  }
+  return text + ".";
+}
+
+SideOutcome search_side(const Problem& problem, const DockingTask& task, const Zone& zone,
+                        const PatternDockingOptions& options, const Optimizer& optimizer, const PathMeasures& reference,
+                        CandidateEvaluator& evaluator, const SearchOptions& search, Budget& budget) {
+  SideOutcome outcome;
+  outcome.side = zone.side;
+  outcome.searched = true;
+  const auto splines_at = [&](std::span<const double> x) {
+    return straight_ended_pattern(problem.start(), problem.goal(), transition_pose(task, zone, x), options.leads);
+  };
+  const CostFunction cost = [&](std::span<const double> x) {
+    const CandidateScore score = evaluator.evaluate(splines_at(x));
+    return graded_cost(score, objective_value(options, score.measures, reference));
+  };
+  const SearchResult result = optimizer.minimise(cost, search_space(zone, options.heading_range), search, budget);
+  if (result.best.empty()) {
+    outcome.sentence = fmt::format("The {} side was not searched: the budget was spent.", to_string(zone.side));
+    return outcome;
+  }
+  const auto splines = splines_at(result.best);
+  const CandidateScore score = evaluator.evaluate(splines);
+  outcome.path = pattern_path(splines);
+  outcome.transition = transition_pose(task, zone, result.best);
+  outcome.feasible = score.feasible();
+  outcome.cost = result.cost;
+  outcome.contact = score.contact;
+  if (outcome.feasible) {
+    outcome.sentence = fmt::format(
+        "On the {} side the best of {} candidates costs {:.4f}: {:.2f} m long, change of curvature {:.3f} 1/m, greatest "
+        "curvature {:.3f} 1/m.",
+        to_string(zone.side), result.evaluations, outcome.cost, score.measures.length, score.measures.curvature_change,
+        score.measures.max_curvature);
+  } else {
+    outcome.sentence = infeasible_sentence(problem, outcome, score, result.evaluations);
+  }
+  return outcome;
+}
+
+std::vector<std::string> explain(const Problem& problem, const PatternDockingOptions& options, const SideOutcome& best,
+                                 const std::vector<SideOutcome>& outcomes) {
+  std::vector<std::string> text;
+  const SideOutcome* other = nullptr;
+  for (const SideOutcome& outcome : outcomes) {
+    if (&outcome != &best) other = &outcome;
+  }
+  if (other != nullptr && other->feasible) {
+    text.push_back(fmt::format("The {} side of the shelf was chosen: its cost is {:.4f}, the {} side's {:.4f} ({:.1f} % more).",
+                               to_string(best.side), best.cost, to_string(other->side), other->cost,
+                               100.0 * (other->cost / best.cost - 1.0)));
+  } else {
+    text.push_back(fmt::format("The {} side of the shelf was chosen because nothing was found on the other one.",
+                               to_string(best.side)));
+  }
+  const double back = length(best.path.pieces[0]);
+  const double forth = length(best.path.pieces[1]);
+  text.push_back(fmt::format(
+      "The vehicle backs {:.2f} m to the transition point ({:.3f}, {:.3f}), stops, and drives {:.2f} m forks first into the "
+      "docked pose ({:.3f}, {:.3f}); the last {:.2f} m are straight.",
+      back, best.transition.x, best.transition.y, forth, problem.goal().x, problem.goal().y, options.leads.dock));
+  text.push_back(fmt::format("The cost is {:.2g} × change of curvature + {:.2g} × length, each over that of the reference "
+                             "pattern{}; among the candidates that keep every limit and {:.3f} m from everything it is the "
+                             "least found.",
+                             options.weights.curvature, options.weights.length,
+                             options.objective == DockingObjective::normalised ? "" : " by the exponential form",
+                             problem.required_clearance()));
+  for (const SideOutcome& outcome : outcomes) text.push_back(outcome.sentence);
+  return text;
+}
+
+PlanningFailure failure_of(const DockingTask& task, const std::vector<SideOutcome>& outcomes,
+                           const Budget& budget) {
+  PlanningFailure failure;
+  std::string reason = "no docking pattern fits.";
+  for (const SideOutcome& outcome : outcomes) {
+    reason += " " + outcome.sentence;
+    failure.explanation.push_back(outcome.sentence);
+    if (outcome.contact && !failure.failure.point) {
+      failure.failure.point = outcome.contact->point;
+    }
+  }
+  failure.failure.status = budget.canceled() ? Status::canceled : budget.cut_short() ? Status::timed_out : Status::no_path;
+  failure.failure.reason = reason;
+  failure.alternatives = alternatives_of(task, outcomes, nullptr);
+  return failure;
+}
+
+}  // namespace
+
+PatternDockingPlanner::PatternDockingPlanner(PatternDockingOptions options, std::shared_ptr<const Optimizer> optimizer,
+                                             std::uint64_t seed, std::optional<AnyPlanner> fallback)
+    : options_{options}, optimizer_{std::move(optimizer)}, seed_{seed}, fallback_{std::move(fallback)} {}
+
+PlanningResult PatternDockingPlanner::plan(const Problem& problem, Budget& budget) const {
+  const DockingTask task = partition(problem);
+  CandidateEvaluator evaluator{problem};
+  const PathMeasures reference = reference_measures(problem, task, options_.leads, evaluator);
+
+  std::int64_t sides = 0;
+  for (const Zone& zone : task.zones) sides += !zone.left_out() && is_wanted(options_.sides, zone.side) ? 1 : 0;
+  SearchOptions search;
+  search.population = options_.population;
+  search.evaluations = options_.evaluations;
+  if (budget.limits().evaluations && sides > 0) {
+    search.evaluations = std::max<std::int64_t>(1, *budget.limits().evaluations / sides);
+  }
+
+  std::vector<SideOutcome> outcomes;
+  for (const Zone& zone : task.zones) {
+    SideOutcome outcome;
+    outcome.side = zone.side;
+    if (zone.left_out()) {
+      outcome.sentence = left_out_sentence(zone);
+    } else if (!is_wanted(options_.sides, zone.side)) {
+      outcome.sentence = fmt::format("The {} side was not asked for.", to_string(zone.side));
+    } else {
+      search.seed = seed_ + (zone.side == Side::left ? 0 : 1);
+      outcome = search_side(problem, task, zone, options_, *optimizer_, reference, evaluator, search, budget);
+    }
+    outcomes.push_back(std::move(outcome));
+  }
+
+  if (const SideOutcome* best = best_of(outcomes)) {
+    return Planned{best->path, explain(problem, options_, *best, outcomes), alternatives_of(task, outcomes, best)};
+  }
+  PlanningFailure failure = failure_of(task, outcomes, budget);
+  if (!fallback_ || budget.exhausted()) return tl::unexpected{std::move(failure)};
+
+  PlanningResult second = fallback_->plan(problem, budget);
+  if (second) {
+    std::vector<std::string> text{"No docking pattern fits; this path is the second choice, found by the general planner " +
+                                  std::string{fallback_->name()} + "."};
+    text.insert(text.end(), second->explanation.begin(), second->explanation.end());
+    text.insert(text.end(), failure.explanation.begin(), failure.explanation.end());
+    second->explanation = std::move(text);
+    second->alternatives.insert(second->alternatives.end(), failure.alternatives.begin(), failure.alternatives.end());
+    return second;
+  }
+  PlanningFailure& both = second.error();
+  failure.failure.status = both.failure.status;
+  failure.failure.reason = failure.failure.reason + " Second choice " + std::string{fallback_->name()} + ": " +
+                           both.failure.reason;
+  failure.failure.pose = both.failure.pose;
+  if (both.failure.point) failure.failure.point = both.failure.point;
+  failure.explanation.insert(failure.explanation.end(), both.explanation.begin(), both.explanation.end());
+  failure.alternatives.insert(failure.alternatives.end(), both.alternatives.begin(), both.alternatives.end());
+  return tl::unexpected{std::move(failure)};
+}
+
+}  // namespace waywright

@@ -1,0 +1,56 @@
+// Planner `pattern_docking`: the docking pattern in our form, its transition point and heading searched on both sides.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "waywright/objective/docking_cost.hpp"
+#include "waywright/optimizer/optimizer.hpp"
+#include "waywright/planner/docking/pattern.hpp"
+#include "waywright/planner/planner.hpp"
+
+namespace waywright {
+
+enum class SideChoice { both, left, right };
+enum class DockingObjective { normalised, exponential };
+
+struct PatternDockingOptions {
+  std::int64_t evaluations = 800;   ///< candidates per side, ≥ 1; a scenario's budget.evaluations is for all sides together
+  int population = 20;              ///< of optimisers that have one
+  double heading_range = 0.7;       ///< rad, the transition heading may leave the perpendicular by this; 0: two variables
+  PatternLeads leads;
+  DockingWeights weights;
+  DockingObjective objective = DockingObjective::normalised;
+  SideChoice sides = SideChoice::both;
+};
+
+/// What the search on one side of the shelf came to.
+struct SideOutcome {
+  Side side = Side::left;
+  bool searched = false;
+  bool feasible = false;
+  double cost = 0.0;       ///< objective of the best path; graded where not feasible
+  Pose transition{};       ///< world
+  Path path;               ///< best path found, also where it is not feasible
+  std::string sentence;    ///< what happened, for the explanation
+  std::optional<Contact> contact;  ///< what stopped the best infeasible one
+};
+
+class PatternDockingPlanner {
+ public:
+  /// `fallback` is asked where no pattern fits; its path is named as the second choice.
+  PatternDockingPlanner(PatternDockingOptions options, std::shared_ptr<const Optimizer> optimizer, std::uint64_t seed,
+                        std::optional<AnyPlanner> fallback = std::nullopt);
+
+  PlanningResult plan(const Problem& problem, Budget& budget) const;
+  std::string_view name() const { return "pattern_docking"; }
+
+ private:
+  PatternDockingOptions options_;
+  std::shared_ptr<const Optimizer> optimizer_;
+  std::uint64_t seed_;
+  std::optional<AnyPlanner> fallback_;
+};
+
+}  // namespace waywright

@@ -1,0 +1,87 @@
+#include "waywright/planner/docking/side_search.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace waywright {
+
+SearchSpace search_space(const Zone& zone, double heading_range) {
+  std::vector<Vec2> corners;
+  for (const Ring& polygon : zone.polygons) corners.insert(corners.end(), polygon.begin(), polygon.end());
+  const Box box = bounding_box(corners);
+  SearchSpace space{{box.low.x, box.low.y}, {box.high.x, box.high.y}};
+  if (heading_range > 0.0) {
+    space.low.push_back(-heading_range);
+    space.high.push_back(heading_range);
+  }
+  return space;
+}
+
+Pose transition_pose(const DockingTask& task, const Zone& zone, std::span<const double> x) {
+  const Vec2 wanted{x[0], x[1]};
+  Vec2 nearest = wanted;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Ring& polygon : zone.polygons) {
+    const Vec2 p = nearest_in(polygon, wanted);
+    if (const double d = distance(p, wanted); d < least) {
+      least = d;
+      nearest = p;
+    }
+  }
+  const double offset = x.size() > 2 ? x[2] : 0.0;
+  return task.frame.to_world(make_pose(nearest, transition_heading(zone.side, task.dock.heading, offset)));
+}
+
+bool is_wanted(SideChoice choice, Side side) {
+  return choice == SideChoice::both || (choice == SideChoice::left) == (side == Side::left);
+}
+
+std::string left_out_sentence(const Zone& zone) {
+  if (zone.width == 0.0) {
+    return fmt::format("The {} side of the shelf was left out: the station has no free area there.", to_string(zone.side));
+  }
+  return fmt::format(
+      "The {} side of the shelf was left out: it is {:.3f} m wide, and the footprint's least width with the clearance on both "
+      "sides is {:.3f} m; {:.3f} m are missing.",
+      to_string(zone.side), zone.width, zone.needed, zone.needed - zone.width);
+}
+
+std::vector<Pose> sketch(const Path& path) {
+  std::vector<Pose> poses;
+  for (const Sample& s : sample(path, 0.0, 0.01, 0.12)) poses.push_back(s.pose());
+  return poses;
+}
+
+std::vector<Alternative> alternatives_of(const DockingTask& task, const std::vector<SideOutcome>& outcomes,
+                                         const SideOutcome* chosen) {
+  std::vector<Alternative> alternatives;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const SideOutcome& outcome = outcomes[i];
+    Alternative a;
+    a.name = fmt::format("{} side", to_string(outcome.side));
+    a.chosen = &outcome == chosen;
+    if (outcome.feasible) a.cost = outcome.cost;
+    a.outcome = outcome.sentence;
+    if (!outcome.path.pieces.empty()) a.poses = sketch(outcome.path);
+    const Zone& zone = task.zones[i];
+    if (!zone.polygons.empty()) a.zone = transformed(zone.polygons.front(), task.frame);
+    alternatives.push_back(std::move(a));
+  }
+  return alternatives;
+}
+
+const SideOutcome* best_of(const std::vector<SideOutcome>& outcomes) {
+  const SideOutcome* best = nullptr;
+  for (const SideOutcome& outcome : outcomes) {
+    if (outcome.feasible && (best == nullptr || outcome.cost < best->cost)) best = &outcome;
+  }
+  return best;
+}
+
+std::string contact_words(const Problem& problem, const Contact& contact) {
+  return fmt::format("{} at ({:.2f}, {:.2f})", problem.world().source_name(contact.source), contact.point.x,
+                     contact.point.y);
+}
+
+}  // namespace waywright

@@ -1,0 +1,38 @@
+// What both forms of the docking planner share: the search box of a side, and the sides' story for the explanation.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "waywright/judge/plan.hpp"
+#include "waywright/optimizer/optimizer.hpp"
+#include "waywright/planner/docking/pattern_docking.hpp"
+
+namespace waywright {
+
+/// Box over a zone's polygons in the shelf's frame, with a third variable for the heading where its range is positive.
+SearchSpace search_space(const Zone& zone, double heading_range);
+
+/// The decision vector as a vehicle pose in the world: a point outside the polygons is taken to their nearest point.
+Pose transition_pose(const DockingTask& task, const Zone& zone, std::span<const double> x);
+
+bool is_wanted(SideChoice choice, Side side);
+
+/// Why a side was left out, with figures.
+std::string left_out_sentence(const Zone& zone);
+
+/// A picture's worth of a path: about a hundred poses.
+std::vector<Pose> sketch(const Path& path);
+
+/// "the left side: cost 0.97" and so on, for report and plan file.
+std::vector<Alternative> alternatives_of(const DockingTask& task, const std::vector<SideOutcome>& outcomes,
+                                         const SideOutcome* chosen);
+
+/// Best feasible outcome, or nullptr; equal costs: the left side.
+const SideOutcome* best_of(const std::vector<SideOutcome>& outcomes);
+
+/// "0.05 m" and the like: what stands in the way of a side's best path.
+std::string contact_words(const Problem& problem, const Contact& contact);
+
+}  // namespace waywright

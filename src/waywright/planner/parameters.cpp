@@ -1,0 +1,107 @@
+// Parameters against their description: one place for JSON, command line and listings.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "waywright/planner/registry.hpp"
+
+namespace waywright {
+namespace {
+
+std::string names_of(const PlannerDescription& planner) {
+  std::string names;
+  for (const ParameterDescription& p : planner.parameters) names += (names.empty() ? "" : ", ") + p.name;
+  return names.empty() ? "none" : names;
+}
+
+std::string choices_of(const ParameterDescription& p) {
+  std::string text;
+  for (const std::string& c : p.choices) text += (text.empty() ? "" : ", ") + c;
+  return text;
+}
+
+const ParameterDescription* find(const PlannerDescription& planner, const std::string& name) {
+  const auto it = std::find_if(planner.parameters.begin(), planner.parameters.end(),
+                               [&](const ParameterDescription& p) { return p.name == name; });
+  return it == planner.parameters.end() ? nullptr : &*it;
+}
+
+std::optional<InputError> check(const ParameterDescription& p, const ParameterValue& value) {
+  const std::string field = "planner." + p.name;
+  if (value.index() != p.default_value.index()) {
+    const char* kind = p.default_value.index() == 0 ? "true or false" : p.default_value.index() == 1 ? "a number" : "a word";
+    return InputError{"", field, "it has the wrong type", kind};
+  }
+  if (const auto* number = std::get_if<double>(&value)) {
+    if (!(*number >= p.low && *number <= p.high)) {
+      return InputError{"", field, fmt::format("{} is out of range", *number), fmt::format("{} to {} {}", p.low, p.high, p.unit)};
+    }
+    if (p.whole && std::floor(*number) != *number) {
+      return InputError{"", field, fmt::format("{} is not a whole number", *number), fmt::format("{} to {}", p.low, p.high)};
+    }
+  }
+  if (const auto* word = std::get_if<std::string>(&value)) {
+    if (std::find(p.choices.begin(), p.choices.end(), *word) == p.choices.end()) {
+      return InputError{"", field, fmt::format("\"{}\" is not known", *word), choices_of(p)};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Parsed<Parameters> complete_parameters(const PlannerDescription& planner, const Parameters& given) {
+  Parameters complete;
+  for (const ParameterDescription& p : planner.parameters) complete[p.name] = p.default_value;
+  for (const auto& [name, value] : given) {
+    const ParameterDescription* p = find(planner, name);
+    if (p == nullptr) {
+      return tl::unexpected{InputError{"", "planner." + name, fmt::format("{} has no such parameter", planner.name),
+                                       names_of(planner)}};
+    }
+    if (auto error = check(*p, value)) return tl::unexpected{*error};
+    complete[name] = value;
+  }
+  return complete;
+}
+
+Parsed<void> set_parameter(const PlannerDescription& planner, Parameters& parameters, const std::string& key_value) {
+  const auto equals = key_value.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    return tl::unexpected{InputError{"", "--set", fmt::format("\"{}\" is not KEY=VALUE", key_value), ""}};
+  }
+  const std::string key = key_value.substr(0, equals);
+  const std::string text = key_value.substr(equals + 1);
+  const ParameterDescription* p = find(planner, key);
+  if (p == nullptr) {
+    return tl::unexpected{InputError{"", "--set " + key, fmt::format("{} has no such parameter", planner.name),
+                                     names_of(planner)}};
+  }
+  ParameterValue value;
+  if (std::holds_alternative<bool>(p->default_value)) {
+    if (text != "true" && text != "false") {
+      return tl::unexpected{InputError{"", "--set " + key, fmt::format("\"{}\" is not a truth value", text), "true, false"}};
+    }
+    value = text == "true";
+  } else if (std::holds_alternative<double>(p->default_value)) {
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !std::isfinite(number)) {
+      return tl::unexpected{InputError{"", "--set " + key, fmt::format("\"{}\" is not a number", text),
+                                       fmt::format("{} to {} {}", p->low, p->high, p->unit)}};
+    }
+    value = number;
+  } else {
+    value = text;
+  }
+  if (auto error = check(*p, value)) {
+    error->field = "--set " + key;
+    return tl::unexpected{*error};
+  }
+  parameters[key] = value;
+  return {};
+}
+
+}  // namespace waywright

@@ -1,0 +1,87 @@
+// What a planner is: an immutable problem in, a path or a failure with its cause out.
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "waywright/core/budget.hpp"
+#include "waywright/core/result.hpp"
+#include "waywright/judge/plan.hpp"
+#include "waywright/path/path.hpp"
+#include "waywright/scenario/problem.hpp"
+
+namespace waywright {
+
+/// What a planner made, before anyone judged it.
+struct Planned {
+  Path path;
+  std::vector<std::string> explanation;   ///< why this one, against which alternatives
+  std::vector<Alternative> alternatives;  ///< what was tried
+};
+
+/// A failure keeps what was tried, so that the report can show it.
+struct PlanningFailure {
+  Failure failure;
+  std::vector<std::string> explanation;
+  std::vector<Alternative> alternatives;
+};
+
+using PlanningResult = tl::expected<Planned, PlanningFailure>;
+
+/// Same problem, seed and parameters: the same bits. `plan` is const and may run on many threads at once.
+template <class P>
+concept Planner = requires(const P planner, const Problem& problem, Budget& budget) {
+  { planner.plan(problem, budget) } -> std::same_as<PlanningResult>;
+  { planner.name() } -> std::convertible_to<std::string_view>;
+};
+
+/// Any planner behind one value type.
+class AnyPlanner {
+ public:
+  template <Planner P>
+  AnyPlanner(P planner) : self_{std::make_shared<Model<P>>(std::move(planner))} {}  // NOLINT: implicit on purpose
+
+  PlanningResult plan(const Problem& problem, Budget& budget) const { return self_->plan(problem, budget); }
+  std::string_view name() const { return self_->name(); }
+
+ private:
+  struct Concept {
+    virtual ~Concept() = default;
+    virtual PlanningResult plan(const Problem&, Budget&) const = 0;
+    virtual std::string_view name() const = 0;
+  };
+  template <Planner P>
+  struct Model final : Concept {
+    explicit Model(P p) : planner{std::move(p)} {}
+    PlanningResult plan(const Problem& problem, Budget& budget) const override { return planner.plan(problem, budget); }
+    std::string_view name() const override { return planner.name(); }
+    P planner;
+  };
+  std::shared_ptr<const Concept> self_;
+};
+
+/// One parameter of a planner: the JSON, `waywright list planners` and the checks are made from this.
+struct ParameterDescription {
+  std::string name;
+  ParameterValue default_value;
+  std::string summary;                    ///< one line
+  std::string unit = {};                  ///< "m", "rad", "" …
+  double low = 0.0, high = 0.0;           ///< range of a number, both ends allowed
+  bool whole = false;                     ///< a whole number
+  std::vector<std::string> choices = {};  ///< of a word; empty for numbers and flags
+};
+
+struct PlannerDescription {
+  std::string name;
+  std::string summary;
+  std::vector<ParameterDescription> parameters;
+  /// Parameters are complete and checked against the description.
+  std::function<AnyPlanner(const Parameters&, std::uint64_t seed)> make;
+};
+
+}  // namespace waywright

@@ -1,0 +1,133 @@
+#include "waywright/planner/registry.hpp"
+
+#include <algorithm>
+
+#include "waywright/optimizer/lattice_search.hpp"
+#include "waywright/optimizer/pagmo/pagmo_optimizers.hpp"
+#include "waywright/planner/docking/pattern_docking.hpp"
+#include "waywright/planner/docking/published_docking.hpp"
+#include "waywright/planner/ompl/rrt_connect.hpp"
+
+namespace waywright {
+namespace {
+
+double number(const Parameters& p, const char* name) { return std::get<double>(p.at(name)); }
+const std::string& word(const Parameters& p, const char* name) { return std::get<std::string>(p.at(name)); }
+std::int64_t whole(const Parameters& p, const char* name) { return static_cast<std::int64_t>(number(p, name)); }
+
+SideChoice side_choice(const std::string& name) {
+  return name == "left" ? SideChoice::left : name == "right" ? SideChoice::right : SideChoice::both;
+}
+
+DockingObjective objective_of(const std::string& name) {
+  return name == "exponential" ? DockingObjective::exponential : DockingObjective::normalised;
+}
+
+std::shared_ptr<const Optimizer> optimizer_of(const std::string& name) {
+  return std::shared_ptr<const Optimizer>{find_optimizer(name)->make()};
+}
+
+/// What both docking planners have.
+std::vector<ParameterDescription> docking_parameters(const std::string& optimizer, double evaluations) {
+  std::vector<std::string> names;
+  for (const OptimizerDescription& o : optimizers()) names.push_back(o.name);
+  return {
+      {.name = "optimizer", .default_value = optimizer, .summary = "searches the transition point", .choices = names},
+      {.name = "evaluations", .default_value = evaluations, .summary = "candidate paths per side of the shelf", .low = 1, .high = 1e7,
+       .whole = true},
+      {.name = "population", .default_value = 20.0, .summary = "of optimisers that have one", .low = 2, .high = 1e4, .whole = true},
+      {.name = "objective", .default_value = std::string{"normalised"}, .summary = "cost B or cost A of the publication",
+       .choices = {"normalised", "exponential"}},
+      {.name = "curvature_weight", .default_value = 0.7, .summary = "weight of the change of curvature", .low = 0, .high = 1e3},
+      {.name = "length_weight", .default_value = 0.3, .summary = "weight of the length", .low = 0, .high = 1e3},
+      {.name = "sides", .default_value = std::string{"both"}, .summary = "of the shelf to look at",
+       .choices = {"both", "left", "right"}},
+  };
+}
+
+PlannerDescription pattern_docking_description() {
+  std::vector<ParameterDescription> parameters = docking_parameters("lattice_search", 800.0);
+  const std::vector<ParameterDescription> more{
+      {.name = "heading_range", .default_value = 0.7,
+       .summary = "how far the heading at the transition may leave the perpendicular to the shelf's axis; 0 fixes it", .unit = "rad",
+       .low = 0, .high = 1.5},
+      {.name = "start_straight", .default_value = 0.2, .summary = "straight run on leaving the start", .unit = "m", .low = 0,
+       .high = 20},
+      {.name = "transition_straight", .default_value = 0.2, .summary = "straight runs to and from the transition point",
+       .unit = "m", .low = 0, .high = 20},
+      {.name = "dock_straight", .default_value = 0.5, .summary = "straight run into the docked pose", .unit = "m", .low = 0,
+       .high = 20},
+      {.name = "fallback", .default_value = true, .summary = "ask ompl_rrt_connect where no pattern fits"},
+  };
+  parameters.insert(parameters.end(), more.begin(), more.end());
+  return {"pattern_docking",
+          "docking pattern with one change of direction, curvature-continuous, transition point and heading searched on both sides",
+          parameters, [](const Parameters& p, std::uint64_t seed) -> AnyPlanner {
+            PatternDockingOptions options;
+            options.evaluations = whole(p, "evaluations");
+            options.population = static_cast<int>(number(p, "population"));
+            options.heading_range = number(p, "heading_range");
+            options.leads = {number(p, "start_straight"), number(p, "transition_straight"), number(p, "dock_straight")};
+            options.weights = {number(p, "curvature_weight"), number(p, "length_weight")};
+            options.objective = objective_of(word(p, "objective"));
+            options.sides = side_choice(word(p, "sides"));
+            std::optional<AnyPlanner> fallback;
+            if (std::get<bool>(p.at("fallback"))) fallback = RrtConnectPlanner{RrtConnectOptions{}, seed};
+            return PatternDockingPlanner{options, optimizer_of(word(p, "optimizer")), seed, std::move(fallback)};
+          }};
+}
+
+PlannerDescription published_docking_description() {
+  std::vector<ParameterDescription> parameters = docking_parameters("de", 300.0);
+  const std::vector<ParameterDescription> more{
+      {.name = "segment", .default_value = 0.05, .summary = "distance of the samples that are tested", .unit = "m", .low = 0.001,
+       .high = 1},
+      {.name = "curvature_factor", .default_value = 10.0, .summary = "knock-out factor where the curvature is over its limit",
+       .low = 1, .high = 1e6},
+      {.name = "least_side", .default_value = 1.5, .summary = "a side less wide across is dropped", .unit = "m", .low = 0,
+       .high = 100},
+  };
+  parameters.insert(parameters.end(), more.begin(), more.end());
+  return {"pattern_docking_published",
+          "the docking publication's own form: natural cubic splines, tested at samples; for comparison", parameters,
+          [](const Parameters& p, std::uint64_t seed) -> AnyPlanner {
+            PublishedDockingOptions options;
+            options.evaluations = whole(p, "evaluations");
+            options.population = static_cast<int>(number(p, "population"));
+            options.segment = number(p, "segment");
+            options.curvature_factor = number(p, "curvature_factor");
+            options.least_side = number(p, "least_side");
+            options.weights = {number(p, "curvature_weight"), number(p, "length_weight")};
+            options.objective = objective_of(word(p, "objective"));
+            options.sides = side_choice(word(p, "sides"));
+            return PublishedDockingPlanner{options, optimizer_of(word(p, "optimizer")), seed};
+          }};
+}
+
+template <class List>
+auto find_by_name(const List& list, std::string_view name) -> decltype(list.data()) {
+  const auto it = std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.name == name; });
+  return it == list.end() ? nullptr : &*it;
+}
+
+}  // namespace
+
+const std::vector<OptimizerDescription>& optimizers() {
+  static const std::vector<OptimizerDescription> all = [] {
+    std::vector<OptimizerDescription> list{lattice_search_description()};
+    for (OptimizerDescription& o : pagmo_optimizers()) list.push_back(std::move(o));
+    return list;
+  }();
+  return all;
+}
+
+const std::vector<PlannerDescription>& planners() {
+  static const std::vector<PlannerDescription> all{pattern_docking_description(), published_docking_description(),
+                                                   rrt_connect_description()};
+  return all;
+}
+
+const PlannerDescription* find_planner(std::string_view name) { return find_by_name(planners(), name); }
+const OptimizerDescription* find_optimizer(std::string_view name) { return find_by_name(optimizers(), name); }
+
+}  // namespace waywright

@@ -1,0 +1,74 @@
+// From a problem to a judged plan.
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "waywright/judge/judge.hpp"
+#include "waywright/planner/registry.hpp"
+
+namespace waywright {
+namespace {
+
+std::string names_of_planners() {
+  std::string names;
+  for (const PlannerDescription& p : planners()) names += (names.empty() ? "" : ", ") + p.name;
+  return names;
+}
+
+std::string proof_sentence(const Problem& problem, const Plan& plan) {
+  const Certificate& c = plan.certificate;
+  std::string text = fmt::format("Proven along the whole motion: the footprint keeps at least {:.4f} m from everything", c.clearance);
+  if (problem.pose_error_margin() > 0.0) {
+    text += fmt::format(" at every pose within the pose error (which takes {:.4f} m)", problem.pose_error_margin());
+  }
+  if (c.tightest && !c.tightest_obstacle.empty()) {
+    text += fmt::format("; it is tightest against {} at ({:.2f}, {:.2f})", c.tightest_obstacle, c.tightest_point.x,
+                        c.tightest_point.y);
+  }
+  return text + ".";
+}
+
+}  // namespace
+
+Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
+  const Scenario& scenario = problem.scenario();
+  const PlannerDescription* description = find_planner(scenario.planner.name);
+  if (description == nullptr) {
+    return tl::unexpected{InputError{"", "planner.name", fmt::format("\"{}\" is not known", scenario.planner.name),
+                                     names_of_planners()}};
+  }
+  auto parameters = complete_parameters(*description, scenario.planner.parameters);
+  if (!parameters) return tl::unexpected{parameters.error()};
+
+  const auto finish = [&](Plan plan) {
+    plan.planner = description->name;
+    plan.parameters = *parameters;
+    return plan;
+  };
+  if (auto failure = problem.check_ends()) return finish(failed_plan(problem, *failure));
+
+  using Clock = std::chrono::steady_clock;
+  Budget budget{scenario.budget, cancel};
+  const auto begin = Clock::now();
+  PlanningResult result = description->make(*parameters, scenario.seed).plan(problem, budget);
+  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+
+  Plan plan;
+  if (result) {
+    plan = judge(problem, std::move(result->path));
+    plan.explanation = std::move(result->explanation);
+    plan.alternatives = std::move(result->alternatives);
+    plan.explanation.push_back(plan.status == Status::solved ? proof_sentence(problem, plan)
+                                                             : "This path is not proven: " + plan.reason + ".");
+  } else {
+    plan = failed_plan(problem, result.error().failure);
+    plan.explanation = std::move(result.error().explanation);
+    plan.alternatives = std::move(result.error().alternatives);
+  }
+  plan.timing.plan = seconds;
+  plan.effort.evaluations = budget.evaluations();
+  plan.reproducible = !budget.cut_short() && !budget.canceled();
+  return finish(std::move(plan));
+}
+
+}  // namespace waywright

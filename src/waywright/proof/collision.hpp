@@ -1,0 +1,30 @@
+// The continuous collision proof by branch and bound over motion intervals.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "waywright/map/world.hpp"
+#include "waywright/proof/motion.hpp"
+
+namespace waywright {
+
+struct SweptClearance {
+  double lower = 0.0;       ///< m, no pose of the motion comes nearer than this (nominal pose, rounding allowed for)
+  double upper = 0.0;       ///< m, clearance of the tightest pose found
+  Pose tightest{};
+  Contact contact{};        ///< there
+  double length = 0.0;      ///< m covered
+  bool complete = true;     ///< false where the bound on work ended it: `lower` says nothing
+  std::int64_t queries = 0;
+};
+
+/// Clearance of the whole footprint over the motion, capped at 10 m, with lower ≥ upper − tolerance (unless it touches:
+/// then the search ends with lower = upper = 0).
+///
+/// For each interval the convex parts of the footprint at its two ends span hulls; every pose between lies in these hulls grown
+/// by the interval's deviation. Where a hull comes too near, the interval is halved: hull and deviation shrink quadratically.
+SweptClearance swept_clearance(const World& world, const Footprint& footprint,
+                               const std::vector<MotionInterval>& intervals, double tolerance);
+
+}  // namespace waywright

@@ -1,0 +1,216 @@
+#include "waywright/proof/limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace waywright {
+namespace {
+
+constexpr double relative_slack = 1e-6;      // of a limit
+constexpr std::size_t most_intervals = 400000;
+constexpr double window = 0.25;              // m over which the curvature of a pose sequence is judged
+constexpr double slip_share = 0.02;          // sideways share of a step that rounding of outside poses may cause
+constexpr double slip_floor = 0.002;         // m
+
+bool finite_curve(const Curve& curve) {
+  return std::visit(
+      [](const auto& c) {
+        using C = std::decay_t<decltype(c)>;
+        if constexpr (std::is_same_v<C, Line>) {
+          return is_finite(c.from) && is_finite(c.to) && c.from != c.to;
+        } else if constexpr (std::is_same_v<C, Arc>) {
+          return is_finite(c.start) && std::isfinite(c.curvature) && std::isfinite(c.length) && c.length > 0.0;
+        } else if constexpr (std::is_same_v<C, Turn>) {
+          return is_finite(c.at) && std::isfinite(c.from) && std::isfinite(c.angle);
+        } else if constexpr (std::is_same_v<C, PoseSequence>) {
+          return c.poses.size() >= 2 &&
+                 std::all_of(c.poses.begin(), c.poses.end(), [](const Pose& p) { return is_finite(p); });
+        } else {
+          return !c.spans.empty() && std::all_of(c.spans.begin(), c.spans.end(), [](const BezierSpan& s) {
+            if (s.degree < 1 || s.degree > 5) return false;
+            for (std::size_t i = 0; i <= static_cast<std::size_t>(s.degree); ++i) {
+              if (!is_finite(s.control[i])) return false;
+            }
+            return true;
+          });
+        }
+      },
+      curve);
+}
+
+/// Branch and bound: is `bound` within `limit` everywhere? Fills where and how much where it is not.
+template <class Bound, class Value>
+std::optional<Violation> exceeds(const std::vector<MotionInterval>& intervals, double limit, const char* what,
+                                 const char* unit_name, Bound bound, Value value) {
+  const double allowed = limit * (1.0 + relative_slack);
+  std::vector<MotionInterval> stack(intervals.rbegin(), intervals.rend());
+  std::size_t visited = 0;
+  std::optional<Violation> worst;
+  double greatest = allowed;
+  while (!stack.empty()) {
+    const MotionInterval interval = stack.back();
+    stack.pop_back();
+    if (bound(interval) <= greatest) continue;
+    if (const double found = std::abs(value(interval)); found > greatest) {
+      greatest = found;
+      worst = Violation{fmt::format("the {} is {:.4f} {} at ({:.3f}, {:.3f}), over the limit of {:.4f} {}", what, found,
+                                    unit_name, interval.begin().x, interval.begin().y, limit, unit_name),
+                        interval.begin()};
+      if (found > 1e3 * allowed) return worst;
+      continue;
+    }
+    // Halving a found excess only sharpens a figure that is already over the limit.
+    if (++visited > most_intervals || (worst && visited > 4000)) {
+      if (worst) return worst;
+      return Violation{fmt::format("the {} could not be shown to keep the limit of {:.4f} {} near ({:.3f}, {:.3f})", what,
+                                   limit, unit_name, interval.begin().x, interval.begin().y),
+                       interval.begin()};
+    }
+    auto [left, right] = interval.halve();
+    stack.push_back(right);
+    stack.push_back(left);
+  }
+  return worst;
+}
+
+void check_pose_sequence(const Vehicle& vehicle, const PoseSequence& sequence, int direction,
+                         std::vector<Violation>& violations) {
+  if (std::holds_alternative<Mecanum>(vehicle.drive)) return;
+  const double limit = vehicle.max_curvature();
+  double slipped = 0.0;
+  std::optional<Violation> slip, bend;
+  double greatest = 0.0;
+  std::size_t tail = 0;
+  double span = 0.0;
+  double turned = 0.0;
+  std::vector<double> lengths, turns;
+  for (std::size_t i = 0; i + 1 < sequence.poses.size(); ++i) {
+    const Pose& a = sequence.poses[i];
+    const Pose& b = sequence.poses[i + 1];
+    const Vec2 chord = b.position() - a.position();
+    const double length = norm(chord);
+    const double turn = shorter_turn(a.heading, b.heading);
+    const double middle = a.heading + 0.5 * turn;
+    const double along = static_cast<double>(direction) * dot(chord, unit(middle));
+    const double sideways = std::abs(cross(unit(middle), chord));
+    if ((sideways > std::max(slip_floor, slip_share * length) || along < -slip_floor) && sideways - along > slipped) {
+      slipped = sideways - along;
+      slip = Violation{fmt::format("between poses {} and {} near ({:.3f}, {:.3f}) the vehicle would move {:.4f} m sideways and "
+                                   "{:.4f} m along its direction of travel, which its drive cannot do",
+                                   i, i + 1, a.x, a.y, sideways, along),
+                       a};
+    }
+    lengths.push_back(length);
+    turns.push_back(turn);
+    span += length;
+    turned += turn;
+    while (span - lengths[tail] >= window) {
+      span -= lengths[tail];
+      turned -= turns[tail++];
+    }
+    if (span >= window && std::abs(turned) / span > std::max(greatest, limit * 1.01)) {
+      greatest = std::abs(turned) / span;
+      bend = Violation{fmt::format("over {:.2f} m near ({:.3f}, {:.3f}) the poses turn with a curvature of {:.4f} 1/m, over the "
+                                   "limit of {:.4f} 1/m",
+                                   span, a.x, a.y, greatest, limit),
+                       a};
+    }
+  }
+  if (slip) violations.push_back(*slip);
+  if (bend) violations.push_back(*bend);
+}
+
+}  // namespace
+
+std::vector<Violation> check_form(const Path& path) {
+  std::vector<Violation> violations;
+  if (path.pieces.empty()) violations.push_back({"the path has no pieces", std::nullopt});
+  for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+    const Piece& piece = path.pieces[i];
+    if (!finite_curve(piece.curve)) {
+      violations.push_back({fmt::format("piece {} is empty or has a number that is not finite", i), std::nullopt});
+      continue;
+    }
+    const bool turn = std::holds_alternative<Turn>(piece.curve);
+    if (turn != (piece.direction == 0) || std::abs(piece.direction) > 1) {
+      violations.push_back({fmt::format("piece {} has direction {}, which does not fit its kind", i, piece.direction),
+                            std::nullopt});
+    }
+  }
+  return violations;
+}
+
+std::vector<Violation> check_continuity(const Problem& problem, const Path& path, const ProofOptions& options) {
+  std::vector<Violation> violations;
+  const auto compare = [&](const Pose& is, const Pose& should, const std::string& what) {
+    const double off = distance(is.position(), should.position());
+    const double turned = std::abs(shorter_turn(is.heading, should.heading));
+    if (off <= options.position_tolerance && turned <= options.heading_tolerance) return;
+    violations.push_back({fmt::format("{} by {:.6f} m and {:.6f} rad ({:.2f} degrees)", what, off, turned,
+                                      turned * 180.0 / pi),
+                          is});
+  };
+  compare(start_pose(path), problem.start(), "the path misses the start pose");
+  for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+    const std::vector<MotionInterval> intervals = MotionInterval::of(path.pieces[i]);
+    for (std::size_t k = 0; k + 1 < intervals.size(); ++k) {
+      compare(intervals[k + 1].begin(), intervals[k].end(), fmt::format("piece {} jumps inside", i));
+    }
+    if (i + 1 < path.pieces.size()) {
+      compare(start_pose(path.pieces[i + 1]), end_pose(path.pieces[i]), fmt::format("the path jumps after piece {}", i));
+    }
+  }
+  compare(end_pose(path), problem.goal(), "the path misses the goal pose");
+  return violations;
+}
+
+std::vector<Violation> check_limits(const Vehicle& vehicle, const Path& path) {
+  std::vector<Violation> violations;
+  std::vector<MotionInterval> smooth;
+  bool turns = false;
+  for (const Piece& piece : path.pieces) {
+    if (const auto* sequence = std::get_if<PoseSequence>(&piece.curve)) {
+      check_pose_sequence(vehicle, *sequence, piece.direction, violations);
+      continue;
+    }
+    if (std::holds_alternative<Turn>(piece.curve)) {
+      turns = true;
+      continue;
+    }
+    std::vector<MotionInterval> intervals = MotionInterval::of(piece);
+    if (vehicle.limits.curvature_rate) {
+      for (std::size_t i = 0; i + 1 < intervals.size(); ++i) {
+        const double before = intervals[i].curvature_at_end();
+        const double after = intervals[i + 1].curvature_at_begin();
+        if (std::abs(after - before) > 1e-6) {
+          violations.push_back({fmt::format("the curvature jumps by {:.6f} 1/m inside a piece, where the vehicle does not stand",
+                                            std::abs(after - before)),
+                                intervals[i + 1].begin()});
+        }
+      }
+    }
+    smooth.insert(smooth.end(), std::make_move_iterator(intervals.begin()), std::make_move_iterator(intervals.end()));
+  }
+  if (turns && !vehicle.can_turn_on_the_spot()) {
+    violations.push_back({"the path turns on the spot, which a tricycle drive cannot do", std::nullopt});
+  }
+  if (const double limit = vehicle.max_curvature(); std::isfinite(limit)) {
+    if (auto v = exceeds(smooth, limit, "curvature", "1/m", [](const MotionInterval& m) { return m.curvature_bound(); },
+                         [](const MotionInterval& m) { return m.curvature_at_begin(); })) {
+      violations.push_back(*v);
+    }
+  }
+  if (vehicle.limits.curvature_rate) {
+    if (auto v = exceeds(smooth, *vehicle.limits.curvature_rate, "curvature rate", "1/m²",
+                         [](const MotionInterval& m) { return m.curvature_rate_bound(); },
+                         [](const MotionInterval& m) { return m.curvature_rate_at_begin(); })) {
+      violations.push_back(*v);
+    }
+  }
+  return violations;
+}
+
+}  // namespace waywright

@@ -1,0 +1,44 @@
+// Continuous collision proof of a path, and the checks of its limits and continuity. Shares nothing with planners.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "waywright/path/path.hpp"
+#include "waywright/scenario/problem.hpp"
+
+namespace waywright {
+
+/// What was proven of the motion of the whole footprint along the exact curves.
+struct Certificate {
+  bool collision_free = false;    ///< every pose within the pose error touches nothing; never set by samples alone
+  double clearance = 0.0;         ///< m, proven lower bound over the continuous motion and the pose error
+  double tolerance = 0.0005;      ///< m, the bound is at most this under the truth (at nominal poses)
+  double checked_length = 0.0;    ///< m of path that the proof covered
+  std::optional<Pose> tightest;   ///< the pose with the least clearance found
+  Vec2 tightest_point{};          ///< the obstacle's point there
+  std::string tightest_obstacle;  ///< its name
+};
+
+struct ProofOptions {
+  double tolerance = 0.0005;          ///< m
+  double position_tolerance = 1e-6;   ///< m, for end poses and joints
+  double heading_tolerance = 1e-6;    ///< rad
+};
+
+struct Violation {
+  std::string sentence;       ///< what is wrong, by how much, where
+  std::optional<Pose> where;
+};
+
+struct Proof {
+  Certificate certificate;
+  std::vector<Violation> violations;  ///< of ends, continuity, limits, clearance; empty: the plan stands
+  bool holds() const { return violations.empty() && certificate.collision_free; }
+};
+
+/// Proves or refutes. Never throws on data; work is bounded.
+Proof prove(const Problem& problem, const Path& path, const ProofOptions& options = {});
+
+}  // namespace waywright

@@ -1,0 +1,93 @@
+#include "waywright/report/chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "waywright/report/svg_writer.hpp"
+
+namespace waywright {
+namespace {
+
+constexpr double left = 58.0, right = 14.0, top = 26.0, bottom = 30.0;  // px around the plot
+
+/// A round step that gives about `count` of them.
+double round_step(double range, double count) {
+  if (!(range > 0.0)) return 1.0;
+  const double raw = range / count;
+  const double power = std::pow(10.0, std::floor(std::log10(raw)));
+  for (const double k : {1.0, 2.0, 5.0}) {
+    if (k * power >= raw) return k * power;
+  }
+  return 10.0 * power;
+}
+
+}  // namespace
+
+std::string chart_svg(const Chart& chart, double width, double height) {
+  if (chart.s.empty()) return {};
+  double low = chart.value.front();
+  double high = low;
+  for (const double v : chart.value) {
+    low = std::min(low, v);
+    high = std::max(high, v);
+  }
+  for (const ChartLimit& limit : chart.limits) {
+    low = std::min(low, limit.value);
+    high = std::max(high, limit.value);
+  }
+  if (chart.from_zero) {
+    low = std::min(low, 0.0);
+    high = std::max(high, 0.0);
+  }
+  if (!(high > low)) high = low + 1.0;
+  const double pad = 0.06 * (high - low);
+  high += pad;
+  if (low < 0.0) low -= pad;
+  const double end = std::max(chart.s.back(), 1e-9);
+  const double plot_width = width - left - right;
+  const double plot_height = height - top - bottom;
+  const auto x_of = [&](double s) { return left + plot_width * s / end; };
+  const auto y_of = [&](double v) { return top + plot_height * (high - v) / (high - low); };
+
+  std::string out = fmt::format("<svg class=\"ww\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\"><title>{2}</title>"
+                                "<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n",
+                                fixed(width), fixed(height), escaped(chart.title));
+  for (std::size_t i = 0; i < chart.s.size();) {  // bands by direction
+    std::size_t k = i;
+    while (k + 1 < chart.s.size() && chart.direction[k + 1] == chart.direction[i]) ++k;
+    const double a = x_of(chart.s[i]);
+    const double b = x_of(chart.s[k]);
+    if (chart.direction[i] != 0) {
+      out += fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", chart.direction[i] > 0 ? "bandfwd" : "bandback",
+                         fixed(a), fixed(top), fixed(b - a), fixed(plot_height));
+    }
+    if (i > 0) out += fmt::format("<line class=\"change\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n", fixed(a), fixed(top), fixed(top + plot_height));
+    i = k + 1;
+  }
+  const double step = round_step(high - low, 4.0);
+  for (double v = std::ceil(low / step) * step; v <= high; v += step) {
+    const double value = std::abs(v) < 1e-9 * step ? 0.0 : v;
+    out += fmt::format("<line class=\"gridline\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/><text class=\"small end\" x=\"{}\" y=\"{}\">{}</text>\n",
+                       fixed(left), fixed(y_of(v)), fixed(width - right), fixed(y_of(v)), fixed(left - 6), fixed(y_of(v) + 4), fixed(value, 3));
+  }
+  const double s_step = round_step(end, 8.0);
+  for (double s = 0.0; s <= end * (1.0 + 1e-9); s += s_step) {
+    out += fmt::format("<line class=\"gridline\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/><text class=\"small middle\" x=\"{0}\" y=\"{3}\">{4}</text>\n",
+                       fixed(x_of(s)), fixed(top), fixed(top + plot_height), fixed(top + plot_height + 16), fixed(s));
+  }
+  out += fmt::format("<text class=\"small end\" x=\"{}\" y=\"{}\">s in m</text>", fixed(width - right), fixed(height - 2));
+  std::string points;
+  for (std::size_t i = 0; i < chart.s.size(); ++i) points += fixed(x_of(chart.s[i])) + "," + fixed(y_of(chart.value[i])) + " ";
+  out += fmt::format("<polyline class=\"curve\" points=\"{}\"/>\n", points);
+  for (const ChartLimit& limit : chart.limits) {
+    out += fmt::format("<line class=\"limit\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/><text class=\"small end\" x=\"{}\" y=\"{}\">{}</text>\n",
+                       fixed(left), fixed(y_of(limit.value)), fixed(width - right), fixed(y_of(limit.value)), fixed(width - right - 4),
+                       fixed(y_of(limit.value) + (limit.value < 0.0 ? 12.0 : -4.0)), escaped(limit.name));
+  }
+  out += fmt::format("<text class=\"title\" x=\"{}\" y=\"16\">{}</text></svg>\n", fixed(left), escaped(chart.title));
+  return out;
+}
+
+}  // namespace waywright

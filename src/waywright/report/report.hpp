@@ -1,0 +1,22 @@
+// What a person sees of a plan: a picture, a page, a table.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "waywright/judge/plan.hpp"
+#include "waywright/scenario/problem.hpp"
+
+namespace waywright {
+
+/// plan.svg: map, station, both sides' transition zones, alternatives, swept footprint, path coloured by direction, tightest
+/// spot, scale bar, legend. Stands alone.
+std::string plan_svg(const Problem& problem, const Plan& plan);
+
+/// report.html: one self-contained file.
+std::string report_html(const Problem& problem, const Plan& plan);
+
+/// The short table that `plan` prints.
+std::string plan_text(const Plan& plan);
+
+}  // namespace waywright

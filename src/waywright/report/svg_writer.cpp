@@ -1,0 +1,115 @@
+#include "waywright/report/svg_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace waywright {
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      case '\'': out += "&#39;"; break;
+      default: out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
+    }
+  }
+  return out;
+}
+
+std::string fixed(double value, int digits) {
+  if (!std::isfinite(value)) return "0";
+  std::string text = fmt::format("{:.{}f}", value, digits);
+  if (text.find('.') != std::string::npos) {
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+void SvgWriter::open_group(std::string_view style_class, std::string_view extra) {
+  out_ += fmt::format("<g class=\"{}\"{}{}>\n", style_class, extra.empty() ? "" : " ", extra);
+}
+void SvgWriter::close_group() { out_ += "</g>\n"; }
+
+std::string SvgWriter::points(const std::vector<Vec2>& ring) const {
+  std::string text;
+  for (const Vec2 p : ring) {
+    const Vec2 q = view_(p);
+    text += (text.empty() ? "" : " ") + fixed(q.x) + "," + fixed(q.y);
+  }
+  return text;
+}
+
+void SvgWriter::polygon(const std::vector<Vec2>& ring, std::string_view style_class) {
+  if (ring.size() == 1) return;
+  out_ += fmt::format("<polygon class=\"{}\" points=\"{}\"/>\n", style_class, points(ring));
+}
+
+void SvgWriter::polyline(const std::vector<Vec2>& line, std::string_view style_class) {
+  out_ += fmt::format("<polyline class=\"{}\" points=\"{}\"/>\n", style_class, points(line));
+}
+
+void SvgWriter::line(Vec2 a, Vec2 b, std::string_view style_class) {
+  const Vec2 p = view_(a);
+  const Vec2 q = view_(b);
+  out_ += fmt::format("<line class=\"{}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n", style_class, fixed(p.x), fixed(p.y),
+                      fixed(q.x), fixed(q.y));
+}
+
+void SvgWriter::dot(Vec2 p, double pixels, std::string_view style_class) {
+  const Vec2 q = view_(p);
+  out_ += fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", style_class, fixed(q.x), fixed(q.y), fixed(pixels));
+}
+
+void SvgWriter::union_of(const std::vector<std::vector<Vec2>>& rings, std::string_view style_class) {
+  if (rings.empty()) return;
+  out_ += fmt::format("<path class=\"{}\" d=\"", style_class);
+  for (const auto& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 q = view_(ring[i]);
+      out_ += fmt::format("{}{} {}", i == 0 ? "M" : "L", fixed(q.x, 1), fixed(q.y, 1));
+    }
+    out_ += "Z";
+  }
+  out_ += "\"/>\n";
+}
+
+void SvgWriter::label(Vec2 p, Vec2 offset, std::string_view text, std::string_view style_class) {
+  const Vec2 q = view_(p) + offset;
+  out_ += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", style_class, fixed(q.x), fixed(q.y), escaped(text));
+}
+
+std::string_view picture_styles() {
+  return R"(
+.ww{--ink:#1b1f24;--soft:#5b6570;--paper:#fff;--grid:#e3e7eb;--wall:#39424c;--solid:#9aa5b1;--cell:#59636e;--unknown:#c9d0d7;
+--fwd:#0072b2;--back:#d55e00;--sweep:#0072b2;--zone:#009e73;--shelf:#cc79a7;--bad:#b00020;--alt:#7a828a}
+@media (prefers-color-scheme:dark){.ww{--ink:#e8ecf0;--soft:#a7b1bb;--paper:#14181d;--grid:#2a3138;--wall:#b9c3cd;--solid:#5b6671;
+--cell:#8f9aa6;--unknown:#343c45;--fwd:#56b4e9;--back:#f0a04b;--sweep:#56b4e9;--zone:#2fc79b;--shelf:#d99bbd;--bad:#ff8a8a;--alt:#8b949d}}
+.ww .paper{fill:var(--paper)}.ww text{font-family:system-ui,-apple-system,"DejaVu Sans",sans-serif;fill:var(--ink)}
+.ww .boundary{fill:none;stroke:var(--wall);stroke-width:2}.ww .area{fill:none;stroke:var(--wall);stroke-width:1.5;stroke-dasharray:7 4}
+.ww .obstacle{fill:var(--solid);stroke:var(--wall);stroke-width:1}.ww .wall{fill:none;stroke:var(--wall);stroke-width:2}
+.ww .point{fill:var(--wall)}.ww .cell{fill:var(--cell)}.ww .unknown{fill:var(--unknown)}
+.ww .shelf{fill:var(--shelf);fill-opacity:.45;stroke:var(--shelf);stroke-width:1.5}.ww .face{stroke:var(--shelf);stroke-width:5}
+.ww .zone{fill:var(--zone);fill-opacity:.10;stroke:var(--zone);stroke-width:1;stroke-dasharray:3 3}
+.ww .sweep{fill:var(--sweep);fill-opacity:.14;stroke:none}.ww .ghost{fill:none;stroke:var(--soft);stroke-width:.6;stroke-opacity:.55}
+.ww .vehicle{fill:var(--paper);fill-opacity:.5;stroke:var(--ink);stroke-width:1.6}.ww .heading{stroke:var(--ink);stroke-width:1.6;fill:none}
+.ww .fwd{fill:none;stroke:var(--fwd);stroke-width:3}.ww .back{fill:none;stroke:var(--back);stroke-width:3}
+.ww .turn{fill:none;stroke:var(--shelf);stroke-width:4}.ww .fwdmark{fill:var(--fwd)}.ww .backmark{fill:var(--back)}
+.ww .alt{fill:none;stroke:var(--alt);stroke-width:1.6;stroke-dasharray:6 4}.ww .tight{stroke:var(--bad);stroke-width:2.5}
+.ww .tightdot{fill:var(--bad)}.ww .tighttext{fill:var(--bad);font-size:13px;font-weight:600}
+.ww .name{font-size:15px;font-weight:700;paint-order:stroke;stroke:var(--paper);stroke-width:4px}
+.ww .small{font-size:12px;fill:var(--soft)}.ww .note{font-size:12px;paint-order:stroke;stroke:var(--paper);stroke-width:3px;fill:var(--soft)}
+.ww .bar{stroke:var(--ink);stroke-width:2}.ww .axis{stroke:var(--soft);stroke-width:1}.ww .gridline{stroke:var(--grid);stroke-width:1}
+.ww .curve{fill:none;stroke:var(--ink);stroke-width:1.8}.ww .limit{stroke:var(--bad);stroke-width:1.4;stroke-dasharray:6 4}
+.ww .bandback{fill:var(--back);fill-opacity:.09}.ww .bandfwd{fill:var(--fwd);fill-opacity:.09}
+.ww .change{stroke:var(--soft);stroke-width:1.2;stroke-dasharray:2 3}.ww .title{font-size:13px;font-weight:600}.ww .end{text-anchor:end}
+.ww .middle{text-anchor:middle}
+)";
+}
+
+}  // namespace waywright

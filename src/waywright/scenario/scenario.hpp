@@ -1,0 +1,69 @@
+// Map + vehicle + mission: one problem for every planner. Plain values; reading them from files is io/'s matter.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <variant>
+
+#include "waywright/core/budget.hpp"
+#include "waywright/map/map.hpp"
+#include "waywright/vehicle/vehicle.hpp"
+
+namespace waywright {
+
+/// The certificate holds for every pose within this of the path. Metres and radians, ≥ 0, body frame.
+struct PoseError {
+  double lateral = 0.0;
+  double longitudinal = 0.0;
+  double heading = 0.0;
+};
+
+/// `heading` is where the loading face looks; size is [depth along heading, width across].
+struct Shelf {
+  Vec2 center{};
+  double heading = 0.0;
+  double depth = 0.0;  ///< m, > 0
+  double width = 0.0;  ///< m, > 0
+  double gap = 0.1;    ///< m between the face and the fork tips when docked
+  double slot = 0.0;   ///< m along the face from its middle, left of heading positive
+
+  /// Frame with its origin in the middle of the loading face, +x out of the shelf, +y to its left.
+  Frame face() const { return Frame{make_pose(center + (0.5 * depth) * unit(heading), heading)}; }
+  Ring outline() const;
+  /// Docked pose of a vehicle whose footprint's greatest x is `front`.
+  Pose docked(double front) const;
+};
+
+struct Station {
+  Ring area;  ///< the vehicle stays inside it
+  Shelf shelf;
+};
+
+/// What is asked: reach a pose, or dock at a station's shelf. (Waypoints, regions, legs: not supported yet.)
+using Mission = std::variant<Pose, Station>;
+
+using ParameterValue = std::variant<bool, double, std::string>;
+using Parameters = std::map<std::string, ParameterValue>;
+
+struct PlannerChoice {
+  std::string name = "pattern_docking";
+  Parameters parameters;  ///< as given; checked against the planner's description
+};
+
+struct Scenario {
+  std::string name;
+  std::string meta = "{}";  ///< JSON text, carried along
+  Map map;
+  std::string map_source = "{}";  ///< JSON text: where the map came from, with SHA-256 of its files
+  Vehicle vehicle;
+  Pose start{};
+  Mission mission;
+  double clearance = 0.0;  ///< m, ≥ 0, kept from everything by the whole footprint
+  PoseError pose_error;
+  BudgetLimits budget;
+  PlannerChoice planner;
+  std::uint64_t seed = 1;
+};
+
+}  // namespace waywright

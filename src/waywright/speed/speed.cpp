@@ -1,0 +1,287 @@
+// The fastest speed profile on a grid of samples, after the idea of reachability passes (Pham and Pham, A new
+// approach to time-optimal path parameterization based on reachability analysis, IEEE T-RO 2018): all limits
+// are linear in w = v² and the acceleration a of a step, so that from the end backwards each sample has a
+// greatest w from which the rest can be driven, and a forward pass that takes the greatest acceleration at
+// each step is the fastest. The angular acceleration |κ·a + κ′·w| ≤ α is taken as it stands, at both ends of
+// each step; no share of it is set aside for either term.
+#include "waywright/speed/speed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace waywright {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// m: samples nearer along the path are one place.
+constexpr double same_place = 1e-9;
+// rad: a greater change of heading at one place is a turn on the spot, a smaller one the rounding of a joint.
+constexpr double turning_threshold = 1e-4;
+// m/s: where limits ask for less (a cusp), the vehicle stands for a moment.
+constexpr double creeping = 1e-6;
+// Turning on the spot where the vehicle has no limit: rad/s and rad/s².
+constexpr double default_angular_speed = 1.0;
+constexpr double default_angular_acceleration = 1.0;
+
+double square(double x) { return x * x; }
+
+/// What holds along one step, whichever of its two ends is worse; so it holds between them too.
+struct Step {
+  double length = 0.0;     // m; 0: both samples are at one place
+  double turn = 0.0;       // rad, of a turn on the spot; else 0
+  double top = infinity;   // greatest w by speed, lateral acceleration, angular speed, steering rate; m²/s²
+  double curvature = 0.0;  // greatest |κ|, 1/m
+  double rate = 0.0;       // greatest |κ′|, 1/m²
+};
+
+bool steering_limited(const Vehicle& vehicle) {
+  if (vehicle.limits.curvature_rate) return true;
+  const auto* tricycle = std::get_if<Tricycle>(&vehicle.drive);
+  return tricycle != nullptr && tricycle->max_steering_rate.has_value();
+}
+
+/// s that the steered wheel needs to turn while the vehicle stands between two samples at one place.
+double steering_pause(const Sample& before, const Sample& after, const Vehicle& vehicle) {
+  const auto* tricycle = std::get_if<Tricycle>(&vehicle.drive);
+  if (tricycle == nullptr || !tricycle->max_steering_rate) return 0.0;
+  // Curvature is told in the direction of travel; backwards the same wheel angle bends it the other way.
+  const double from = vehicle.steering_angle(before.direction * before.curvature);
+  const double to = vehicle.steering_angle(after.direction * after.curvature);
+  const double pause = std::abs(to - from) / *tricycle->max_steering_rate;
+  return std::isfinite(pause) ? pause : 0.0;
+}
+
+Step make_step(const Sample& from, const Sample& to, const Vehicle& vehicle) {
+  const Limits& limits = vehicle.limits;
+  Step step;
+  step.length = std::max(0.0, to.s - from.s);
+  if (step.length <= same_place) {
+    step.length = 0.0;
+    const double turn = shorter_turn(from.heading, to.heading);
+    const bool on_the_spot = from.direction == 0 && to.direction == 0;
+    if (on_the_spot || std::abs(turn) > turning_threshold) step.turn = turn;
+    return step;
+  }
+  step.curvature = std::max(std::abs(from.curvature), std::abs(to.curvature));
+  step.rate = std::max(std::abs(from.curvature_rate), std::abs(to.curvature_rate));
+  if (!std::isfinite(step.curvature) || !std::isfinite(step.rate)) {  // a cusp
+    step.curvature = step.rate = 0.0;
+    step.top = 0.0;
+    return step;
+  }
+  step.top = square(to.direction < 0 ? limits.reverse_speed : limits.speed);
+  if (limits.lateral_acceleration)
+    step.top = std::min(step.top, *limits.lateral_acceleration / step.curvature);
+  if (limits.angular_speed) step.top = std::min(step.top, square(*limits.angular_speed / step.curvature));
+  if (const auto* tricycle = std::get_if<Tricycle>(&vehicle.drive);
+      tricycle != nullptr && tricycle->max_steering_rate) {
+    // Steering angle atan(Lκ): its rate is Lκ′v / (1 + (Lκ)²).
+    for (const Sample* end : {&from, &to}) {
+      const double per_metre = tricycle->wheelbase * std::abs(end->curvature_rate) /
+                               (1.0 + square(tricycle->wheelbase * end->curvature));
+      step.top = std::min(step.top, square(*tricycle->max_steering_rate / per_metre));
+    }
+  }
+  return step;
+}
+
+struct Interval {
+  double low, high;
+  bool empty() const { return low > high; }
+  /// Keeps what satisfies slope·a + constant ≤ bound.
+  void keep(double slope, double constant, double bound) {
+    if (slope > 0.0)
+      high = std::min(high, (bound - constant) / slope);
+    else if (slope < 0.0)
+      low = std::max(low, (bound - constant) / slope);
+    else if (constant > bound)
+      high = -infinity;
+  }
+};
+
+class Profile {
+ public:
+  Profile(const std::vector<Sample>& samples, const Vehicle& vehicle)
+      : samples_{samples}, limits_{vehicle.limits} {
+    const std::size_t n = samples.size();
+    caps_.assign(n, infinity);
+    rests_.assign(n, false);
+    rests_.front() = rests_.back() = true;
+    const bool stops_at_jumps = steering_limited(vehicle) || limits_.angular_acceleration.has_value();
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+      const Sample& a = samples[i];
+      const Sample& b = samples[i + 1];
+      steps_.push_back(make_step(a, b, vehicle));
+      const Step& step = steps_.back();
+      for (const std::size_t k : {i, i + 1}) caps_[k] = std::min(caps_[k], step.top);
+      if (is_direction_change(a, b) || a.direction == 0 || b.direction == 0 || step.turn != 0.0 ||
+          (stops_at_jumps && is_curvature_jump(a, b))) {
+        rests_[i] = rests_[i + 1] = true;
+      }
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      if (rests_[i] || caps_[i] < square(creeping)) caps_[i] = 0.0;
+    }
+    backward();
+    forward();
+  }
+
+  /// v² of every sample.
+  const std::vector<double>& speeds_squared() const { return w_; }
+  const std::vector<Step>& steps() const { return steps_; }
+
+ private:
+  /// Accelerations with which step i can be driven from w at its start to at most `most` at its end.
+  Interval accelerations(std::size_t i, double w, double most) const {
+    const double length = steps_[i].length;
+    Interval a{-limits_.deceleration, limits_.acceleration};
+    a.keep(1.0, 0.0, (most - w) / (2.0 * length));
+    a.keep(-1.0, 0.0, w / (2.0 * length));
+    if (limits_.angular_acceleration) {
+      const double bound = *limits_.angular_acceleration;
+      for (const std::size_t k : {i, i + 1}) {
+        const double moved = k == i ? 0.0 : 2.0 * length;  // w at the end is w + 2·length·a
+        const double slope = samples_[k].curvature + moved * samples_[k].curvature_rate;
+        const double constant = w * samples_[k].curvature_rate;
+        a.keep(slope, constant, bound);
+        a.keep(-slope, -constant, bound);
+      }
+    }
+    return a;
+  }
+
+  void backward() {
+    w_ = caps_;
+    for (std::size_t i = w_.size() - 1; i-- > 0;) {
+      if (steps_[i].length == 0.0) {
+        w_[i] = std::min(caps_[i], w_[i + 1]);
+        continue;
+      }
+      double high = std::min(caps_[i], w_[i + 1] + 2.0 * limits_.deceleration * steps_[i].length);
+      // From standing still the step can always be driven, and what can be driven is an interval of w (the
+      // limits are convex).
+      if (limits_.angular_acceleration && accelerations(i, high, w_[i + 1]).empty()) {
+        double low = 0.0;
+        for (int k = 0; k < 60; ++k) {
+          const double middle = 0.5 * (low + high);
+          (accelerations(i, middle, w_[i + 1]).empty() ? high : low) = middle;
+        }
+        high = low;
+      }
+      w_[i] = high;
+    }
+  }
+
+  void forward() {
+    for (std::size_t i = 0; i + 1 < w_.size(); ++i) {
+      if (steps_[i].length == 0.0) {
+        w_[i + 1] = std::min(w_[i + 1], w_[i]);
+        continue;
+      }
+      double a = limits_.acceleration;
+      if (limits_.angular_acceleration) a = accelerations(i, w_[i], w_[i + 1]).high;
+      w_[i + 1] = std::clamp(w_[i] + 2.0 * a * steps_[i].length, 0.0, w_[i + 1]);
+    }
+  }
+
+  const std::vector<Sample>& samples_;
+  const Limits& limits_;
+  std::vector<Step> steps_;
+  std::vector<double> caps_, w_;
+  std::vector<bool> rests_;
+};
+
+/// s from rest to rest over a distance (or angle), speeding up and slowing down, not above `top`.
+double rest_to_rest(double distance, double acceleration, double deceleration, double top) {
+  const double per = 0.5 / acceleration + 0.5 / deceleration;  // m of ramps for each unit of w
+  const double ramps = top * top * per;
+  if (distance <= ramps) return 2.0 * std::sqrt(distance * per);
+  return 2.0 * top * per + (distance - ramps) / top;
+}
+
+/// A step that begins and ends at rest speeds up and slows down within it; half of the angular acceleration
+/// goes to each term.
+double rest_to_rest(const Step& step, const Limits& limits) {
+  double top = std::min(step.top, square(std::max(limits.speed, limits.reverse_speed)));
+  double acceleration = limits.acceleration;
+  double deceleration = limits.deceleration;
+  if (limits.angular_acceleration) {
+    const double half = 0.5 * *limits.angular_acceleration;
+    top = std::min(top, half / step.rate);
+    acceleration = std::min(acceleration, half / step.curvature);
+    deceleration = std::min(deceleration, half / step.curvature);
+  }
+  return rest_to_rest(step.length, std::max(acceleration, creeping), std::max(deceleration, creeping),
+                      std::max(std::sqrt(top), creeping));
+}
+
+/// s after which `part` of a turn by `whole` (both > 0, rad) is done, from rest to rest.
+double turning_time(double part, double whole, const Limits& limits) {
+  const double speed = limits.angular_speed.value_or(default_angular_speed);
+  const double acceleration = limits.angular_acceleration.value_or(default_angular_acceleration);
+  const double total = rest_to_rest(whole, acceleration, acceleration, speed);
+  const double ramp = std::min(0.5 * whole, 0.5 * speed * speed / acceleration);
+  if (part <= ramp) return std::sqrt(2.0 * part / acceleration);
+  if (part >= whole - ramp) return total - std::sqrt(2.0 * std::max(0.0, whole - part) / acceleration);
+  return std::sqrt(2.0 * ramp / acceleration) + (part - ramp) / speed;
+}
+
+/// Times of the turn on the spot that begins with step i; returns the step after it. A turn goes on through
+/// steps of one place and one sense.
+std::size_t time_turn(std::vector<Sample>& samples, const std::vector<Step>& steps, std::size_t i,
+                      const Limits& limits) {
+  std::size_t end = i;
+  double whole = 0.0;
+  const auto goes_on = [&](std::size_t k) {
+    if (steps[k].turn == 0.0)
+      return samples[k + 1].direction == samples[i].direction;  // a joint of two turns
+    return (steps[k].turn > 0.0) == (steps[i].turn > 0.0);
+  };
+  while (end < steps.size() && steps[end].length == 0.0 && goes_on(end)) {
+    whole += std::abs(steps[end++].turn);
+  }
+  const double begin = samples[i].t;
+  double part = 0.0;
+  for (std::size_t k = i; k < end; ++k) {
+    part = std::min(whole, part + std::abs(steps[k].turn));
+    samples[k + 1].t = std::max(samples[k].t, begin + turning_time(part, whole, limits));
+  }
+  return end;
+}
+
+}  // namespace
+
+double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle) {
+  if (samples.empty()) return 0.0;
+  const Profile profile{samples, vehicle};
+  const std::vector<double>& w = profile.speeds_squared();
+  const std::vector<Step>& steps = profile.steps();
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i].speed = std::sqrt(w[i]);
+  samples.front().t = 0.0;
+  for (std::size_t i = 0; i < steps.size();) {
+    if (steps[i].turn != 0.0) {
+      i = time_turn(samples, steps, i, vehicle.limits);
+      continue;
+    }
+    const double sum = samples[i].speed + samples[i + 1].speed;
+    double time = 0.0;
+    if (steps[i].length == 0.0) {
+      if (sum == 0.0) time = steering_pause(samples[i], samples[i + 1], vehicle);
+    } else {
+      time = sum > 0.0 ? 2.0 * steps[i].length / sum : rest_to_rest(steps[i], vehicle.limits);
+    }
+    samples[i + 1].t = samples[i].t + time;
+    ++i;
+  }
+  return samples.back().t;
+}
+
+bool is_curvature_jump(const Sample& before, const Sample& after, double tolerance) {
+  return std::abs(after.s - before.s) <= same_place &&
+         std::abs(after.curvature - before.curvature) > tolerance;
+}
+
+}  // namespace waywright

@@ -1,0 +1,25 @@
+// Speed and time along a sampled path under the vehicle's limits.
+#pragma once
+
+#include <vector>
+
+#include "waywright/path/path.hpp"
+#include "waywright/vehicle/vehicle.hpp"
+
+namespace waywright {
+
+/// Fills t and speed of every sample: the fastest profile that is at rest at both ends, at changes of
+/// direction and where the curvature jumps while curvature rate, steering rate or angular acceleration is
+/// limited, and keeps speed (by direction), acceleration, deceleration, lateral acceleration, angular speed
+/// and acceleration (|κ·a + dκ/ds·v²|), and the steering rate (wheelbase·|dκ/ds|·v / (1 + (wheelbase·κ)²) ≤
+/// max_steering_rate). v² is linear in s between samples, but for steps that begin and end at rest, which
+/// speed up and slow down within; turning on the spot follows the angular limits (1 rad/s and 1 rad/s² where
+/// absent); a steered wheel that has to turn while the vehicle stands is waited for. Laws: t never decreases
+/// and is finite; speed ≥ 0; limits hold at both ends of every step. Returns the total time in s.
+/// @pre s never decreases; limits > 0
+double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle);
+
+/// Samples i−1, i of two pieces at one place whose curvature differs by more than `tolerance` 1/m.
+bool is_curvature_jump(const Sample& before, const Sample& after, double tolerance = 1e-6);
+
+}  // namespace waywright

@@ -1,0 +1,122 @@
+#include "waywright/study/outside.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+
+#include "waywright/io/plan_io.hpp"
+#include "waywright/io/scenario_io.hpp"
+#include "waywright/judge/import.hpp"
+
+namespace waywright {
+namespace {
+
+constexpr double default_seconds = 60.0;
+constexpr std::size_t most_output = 64U << 20;
+
+struct Output {
+  std::string text;
+  bool timed_out = false;
+  bool canceled = false;
+  int status = 0;
+};
+
+/// Feeds and drains the child at once, so that neither waits for the other.
+Output talk(pid_t child, int in, int out, const std::string& input, double seconds, const std::atomic<bool>* cancel) {
+  Output output;
+  std::size_t written = 0;
+  const auto begin = std::chrono::steady_clock::now();
+  ::fcntl(in, F_SETFL, O_NONBLOCK);
+  bool feeding = true;
+  std::array<char, 1 << 16> block;
+  for (;;) {
+    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > seconds) output.timed_out = true;
+    if (cancel != nullptr && cancel->load()) output.canceled = true;
+    if (output.timed_out || output.canceled) {
+      ::kill(-child, SIGKILL);
+      break;
+    }
+    std::array<pollfd, 2> fds{pollfd{out, POLLIN, 0}, pollfd{feeding ? in : -1, POLLOUT, 0}};
+    ::poll(fds.data(), fds.size(), 50);
+    if (feeding && (fds[1].revents & (POLLOUT | POLLERR | POLLHUP)) != 0) {
+      const ssize_t n = ::write(in, input.data() + written, input.size() - written);
+      if (n > 0) written += static_cast<std::size_t>(n);
+      if (written == input.size() || (n < 0 && errno != EAGAIN)) {
+        ::close(in);
+        feeding = false;
+      }
+    }
+    if ((fds[0].revents & (POLLIN | POLLHUP)) != 0) {
+      const ssize_t n = ::read(out, block.data(), block.size());
+      if (n <= 0) break;
+      output.text.append(block.data(), static_cast<std::size_t>(n));
+      if (output.text.size() > most_output) {
+        ::kill(-child, SIGKILL);
+        break;
+      }
+    }
+  }
+  if (feeding) ::close(in);
+  ::close(out);
+  ::waitpid(child, &output.status, 0);
+  return output;
+}
+
+}  // namespace
+
+Plan run_outside(const Problem& problem, const std::string& command, const std::atomic<bool>* cancel) {
+  const auto fail = [&](Status status, std::string reason) { return failed_plan(problem, {status, std::move(reason), {}, {}}); };
+  const std::string input = scenario_json(problem.scenario());
+  std::array<int, 2> to_child{}, from_child{};
+  if (::pipe2(to_child.data(), O_CLOEXEC) != 0) return fail(Status::no_path, "no pipe for the outside planner");
+  if (::pipe2(from_child.data(), O_CLOEXEC) != 0) {
+    ::close(to_child[0]);
+    ::close(to_child[1]);
+    return fail(Status::no_path, "no pipe for the outside planner");
+  }
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::setpgid(0, 0);
+    ::dup2(to_child[0], STDIN_FILENO);
+    ::dup2(from_child[1], STDOUT_FILENO);
+    ::signal(SIGPIPE, SIG_DFL);
+    ::execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
+    ::_exit(127);
+  }
+  ::close(to_child[0]);
+  ::close(from_child[1]);
+  if (child < 0) {
+    ::close(to_child[1]);
+    ::close(from_child[0]);
+    return fail(Status::no_path, "the outside planner could not be started");
+  }
+  ::setpgid(child, child);
+  const double seconds = problem.scenario().budget.seconds.value_or(default_seconds);
+  const auto begin = std::chrono::steady_clock::now();
+  const Output output = talk(child, to_child[1], from_child[0], input, seconds, cancel);
+  const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  Plan plan;
+  if (output.canceled) {
+    plan = fail(Status::canceled, "canceled");
+  } else if (output.timed_out) {
+    plan = fail(Status::timed_out, fmt::format("the outside planner did not end within {} s", seconds));
+  } else if (!WIFEXITED(output.status) || WEXITSTATUS(output.status) != 0) {
+    plan = fail(Status::no_path, fmt::format("the outside planner ended with status {}", WIFEXITED(output.status) ? WEXITSTATUS(output.status) : -1));
+  } else if (auto path = parse_poses_csv(output.text, "output of the outside planner")) {
+    plan = judge_imported(problem, std::move(*path));
+  } else {
+    plan = fail(Status::no_path, path.error().message());
+  }
+  plan.planner = "exec";
+  plan.timing.plan = took;
+  plan.reproducible = false;
+  return plan;
+}
+
+}  // namespace waywright

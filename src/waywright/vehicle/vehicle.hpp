@@ -1,0 +1,77 @@
+// The vehicle: footprint, drive model, limits. Body frame: x forward (on a forklift towards the fork tips), y left;
+// its origin is the point that follows the path.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "waywright/geometry/polygon.hpp"
+
+namespace waywright {
+
+/// Outline in the body frame: a simple polygon, or a disc about the origin.
+struct Footprint {
+  Ring polygon;        ///< counter-clockwise; empty where the footprint is a disc
+  double disc = 0.0;   ///< radius in metres, ≥ 0, where polygon is empty
+
+  bool is_disc() const { return polygon.empty(); }
+  double radius() const;       ///< greatest distance of any of its points from the origin
+  double front() const;        ///< greatest x: the fork tips of a forklift
+  double least_width() const;  ///< least distance between parallel lines that enclose it
+};
+
+enum class SteeredAxle { rear, front };
+
+/// One steered axle, `wheelbase` behind (rear) or before (front) the fixed axle that follows the path.
+struct Tricycle {
+  double wheelbase = 0.0;                     ///< m, > 0
+  double max_steering = 0.0;                  ///< rad, in (0, π/2)
+  std::optional<double> max_steering_rate{};  ///< rad/s, > 0
+  SteeredAxle steered_axle = SteeredAxle::rear;
+};
+struct Differential {
+  double track = 0.0;  ///< m, > 0
+};
+struct Mecanum {
+  double wheel_radius = 0.0, half_length = 0.0, half_width = 0.0;  ///< m, > 0
+};
+using Drive = std::variant<Tricycle, Differential, Mecanum>;
+
+/// An absent limit is no limit.
+struct Limits {
+  double speed = 1.0;                          ///< m/s, direction +1
+  double reverse_speed = 1.0;                  ///< m/s, direction −1
+  double acceleration = 0.5;                   ///< m/s²
+  double deceleration = 0.5;                   ///< m/s²
+  std::optional<double> lateral_acceleration;  ///< m/s²
+  std::optional<double> angular_speed;         ///< rad/s
+  std::optional<double> angular_acceleration;  ///< rad/s²
+  std::optional<double> curvature;             ///< 1/m
+  std::optional<double> curvature_rate;        ///< dκ/ds, 1/m²
+};
+
+struct Load {
+  Footprint footprint;
+  double mass = 0.0;  ///< kg
+};
+
+struct Vehicle {
+  std::string name;
+  Footprint footprint;
+  std::optional<Ring> forks;  ///< the part of the footprint that may enter a pocket
+  std::map<std::string, Load> loads;
+  double mass = 0.0;  ///< kg; 0: not given
+  Drive drive = Differential{1.0};
+  Limits limits;
+  Pose control_point{};
+
+  /// The smaller of the limit given and tan(max_steering)/wheelbase; +∞ where neither binds. 1/m.
+  double max_curvature() const;
+  bool can_turn_on_the_spot() const;
+  /// Steering angle of a tricycle at a path curvature; 0 for other drives.
+  double steering_angle(double curvature) const;
+};
+
+}  // namespace waywright
