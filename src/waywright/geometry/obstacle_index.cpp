@@ -33,18 +33,6 @@ Box box_of(std::span<const Vec2> ring) {
   return box;
 }
 
-/// Even-odd rule; points and segments have no inside.
-bool inside(std::span<const Vec2> ring, Vec2 p) {
-  if (ring.size() < 3) return false;
-  bool in = false;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    const Vec2 a = ring[i];
-    const Vec2 b = ring[j];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) in = !in;
-  }
-  return in;
-}
-
 struct Candidate {
   double squared = 0.0;
   Vec2 on{};
@@ -83,21 +71,78 @@ Candidate segment_to_segment(Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1) {
   return best;
 }
 
-/// Squared distance of a segment to the area of a ring, and the segment's nearest point.
-Candidate ring_to_segment(std::span<const Vec2> ring, const Segment& s) {
-  if (inside(ring, s.a)) return {0.0, s.a};
-  if (ring.size() == 1) {
-    return point_to_segment(ring[0], s.a, s.b);
+/// An outline made ready for many distance questions: edge vectors and their inverse squared lengths.
+class Outline {
+ public:
+  explicit Outline(std::span<const Vec2> ring) : ring_{ring}, edges_{ring.size() < 3 ? ring.size() - 1 : ring.size()} {
+    if (edges_ > capacity) large_.resize(edges_);
+    Edge* e = data();
+    convex_ = ring.size() >= 3;
+    for (std::size_t i = 0; i < edges_; ++i) {
+      const Vec2 a = ring[i];
+      const Vec2 d = ring[(i + 1) % ring.size()] - a;
+      const double length2 = squared_norm(d);
+      e[i] = {a, d, length2 > 0.0 ? 1.0 / length2 : 0.0};
+    }
+    for (std::size_t i = 0; convex_ && i < edges_; ++i) convex_ = cross(e[i].d, e[(i + 1) % edges_].d) >= 0.0;
   }
-  Candidate best{std::numeric_limits<double>::infinity(), s.a};
-  const std::size_t edges = ring.size() == 2 ? 1 : ring.size();
-  for (std::size_t i = 0; i < edges; ++i) {
-    const Candidate c = segment_to_segment(ring[i], ring[(i + 1) % ring.size()], s.a, s.b);
-    if (c.squared < best.squared) best = c;
-    if (best.squared == 0.0) break;
+
+  /// Squared distance of a point to the area; 0 inside.
+  double squared_distance(Vec2 q) const {
+    if (edges_ == 0) return squared_norm(q - ring_[0]);
+    const Edge* e = data();
+    double best = std::numeric_limits<double>::infinity();
+    bool left_of_all = convex_;
+    bool odd = false;
+    for (std::size_t i = 0; i < edges_; ++i) {
+      const Vec2 r = q - e[i].a;
+      const double along = std::clamp(dot(r, e[i].d) * e[i].inverse, 0.0, 1.0);
+      best = std::min(best, squared_norm(r - along * e[i].d));
+      if (convex_) {
+        left_of_all = left_of_all && cross(e[i].d, r) >= 0.0;
+      } else if (edges_ > 2) {
+        const Vec2 b = e[i].a + e[i].d;
+        if ((e[i].a.y > q.y) != (b.y > q.y) && (r.x * e[i].d.y < r.y * e[i].d.x) == (e[i].d.y > 0.0)) odd = !odd;
+      }
+    }
+    return left_of_all || odd ? 0.0 : best;
   }
-  return best;
-}
+
+  /// Squared distance of a segment to the area, and the segment's nearest point; no better than `best` where it is not.
+  Candidate nearest(const Segment& s) const {
+    Candidate c{squared_distance(s.a), s.a};
+    if (s.a == s.b || c.squared == 0.0) return c;
+    if (const double at_b = squared_distance(s.b); at_b < c.squared) c = {at_b, s.b};
+    if (c.squared == 0.0) return c;
+    const Edge* e = data();
+    for (std::size_t i = 0; i < edges_; ++i) {
+      if (!cross_each_other(e[i].a, e[i].a + e[i].d, s.a, s.b)) continue;
+      return segment_to_segment(e[i].a, e[i].a + e[i].d, s.a, s.b);
+    }
+    const Vec2 d = s.b - s.a;
+    const double inverse = 1.0 / squared_norm(d);
+    for (const Vec2 p : ring_) {
+      const Vec2 q = s.a + std::clamp(dot(p - s.a, d) * inverse, 0.0, 1.0) * d;
+      if (const double squared = squared_norm(p - q); squared < c.squared) c = {squared, q};
+    }
+    return c;
+  }
+
+ private:
+  struct Edge {
+    Vec2 a{}, d{};
+    double inverse = 0.0;
+  };
+  static constexpr std::size_t capacity = 24;
+  const Edge* data() const { return large_.empty() ? small_.data() : large_.data(); }
+  Edge* data() { return large_.empty() ? small_.data() : large_.data(); }
+
+  std::span<const Vec2> ring_;
+  std::size_t edges_;
+  bool convex_ = false;
+  std::array<Edge, capacity> small_;
+  std::vector<Edge> large_;
+};
 
 }  // namespace
 
@@ -147,6 +192,7 @@ Nearest ObstacleIndex::nearest(std::span<const Vec2> ring, double limit) const {
   answer.distance = limit;
   if (nodes_.empty() || ring.empty() || !(limit > 0.0)) return answer;
   const Box box = box_of(ring);
+  const Outline outline{ring};
   double best = limit * limit;
   struct Entry {
     std::uint32_t node;
@@ -163,7 +209,7 @@ Nearest ObstacleIndex::nearest(std::span<const Vec2> ring, double limit) const {
       for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
         const Segment& s = segments_[i];
         if (squared_gap(box_of(s), box) >= best) continue;
-        const Candidate c = ring_to_segment(ring, s);
+        const Candidate c = outline.nearest(s);
         if (c.squared < best) {
           best = c.squared;
           answer.point = c.on;
@@ -192,6 +238,7 @@ bool ObstacleIndex::is_clear(std::span<const Vec2> ring, double margin) const {
   // "≤ margin is a hit": look just beyond the margin.
   const double limit = std::nextafter(std::max(margin, 0.0), std::numeric_limits<double>::infinity());
   const Box box = box_of(ring);
+  const Outline outline{ring};
   const double limit2 = margin > 0.0 ? limit * limit : std::numeric_limits<double>::min();
   std::array<std::uint32_t, 128> stack;
   std::size_t top = 0;
@@ -207,7 +254,7 @@ bool ObstacleIndex::is_clear(std::span<const Vec2> ring, double margin) const {
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       const Segment& s = segments_[i];
-      if (squared_gap(box_of(s), box) < limit2 && ring_to_segment(ring, s).squared < limit2) return false;
+      if (squared_gap(box_of(s), box) < limit2 && outline.nearest(s).squared < limit2) return false;
     }
   }
   return true;

@@ -13,7 +13,7 @@ constexpr int steps_per_quintic = 96;
 constexpr double reserve = 0.001;        // m kept beyond what is required, so that the proof never ends on a knife's edge
 constexpr double limit_share = 0.999;    // of curvature and its rate: samples may miss the very peak
 constexpr double least_step = 0.002;     // m of motion below which a passage counts as blocked
-constexpr double far_enough = 1.5;       // m of clearance beyond what is required: more says nothing
+constexpr double far_enough = 0.4;       // m of clearance beyond what is required: more says nothing
 
 // Bands of the graded cost. Costs of feasible paths are of the order of 1.
 constexpr double contact_band = 1000.0;

@@ -1,0 +1,161 @@
+#include "waywright/planner/docking/pattern_docking.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "waywright/core/random.hpp"
+#include "waywright/curve/bezier.hpp"
+#include "waywright/judge/judge.hpp"
+#include "waywright/optimizer/lattice_search.hpp"
+#include "waywright/planner/docking/candidate.hpp"
+#include "waywright/planner/docking/fixture_stations.hpp"
+
+namespace waywright {
+namespace {
+
+using fixture::Id;
+
+PlanningResult plan_with(const Problem& problem, const PatternDockingOptions& options = {}) {
+  Budget budget;
+  return PatternDockingPlanner{options, std::make_shared<LatticeSearch>(), 1}.plan(problem, budget);
+}
+
+TEST(PatternDocking, SolvesTheFixtureStationsAndTheProofHolds) {
+  for (const Id id : {Id::d0, Id::d1, Id::d2, Id::d3}) {
+    const Problem problem = fixture::problem(id);
+    const PlanningResult result = plan_with(problem);
+    ASSERT_TRUE(result) << result.error().failure.reason;
+    const Plan plan = judge(problem, result->path);
+    EXPECT_EQ(plan.status, Status::solved) << plan.reason;
+    EXPECT_EQ(plan.metrics.direction_changes, 1);
+  }
+}
+
+TEST(PatternDocking, MeetsBothPosesExactlyAndStandsWithoutCurvature) {
+  const Problem problem = fixture::problem(Id::d2);
+  const PlanningResult result = plan_with(problem);
+  ASSERT_TRUE(result);
+  EXPECT_NEAR(distance(start_pose(result->path).position(), problem.start().position()), 0.0, 1e-14);
+  EXPECT_NEAR(distance(end_pose(result->path).position(), problem.goal().position()), 0.0, 1e-14);
+  EXPECT_NEAR(shorter_turn(start_pose(result->path).heading, problem.start().heading), 0.0, 1e-12);
+  EXPECT_NEAR(shorter_turn(end_pose(result->path).heading, problem.goal().heading), 0.0, 1e-12);
+  for (const Piece& piece : result->path.pieces) {
+    EXPECT_NEAR(start_curvature(piece), 0.0, 1e-9);
+    EXPECT_NEAR(end_curvature(piece), 0.0, 1e-9);
+  }
+}
+
+TEST(PatternDocking, RunsStraightIntoTheShelfAsAsked) {
+  const Problem problem = fixture::problem(Id::d0);
+  PatternDockingOptions options;
+  options.leads.dock = 1.25;
+  const PlanningResult result = plan_with(problem, options);
+  ASSERT_TRUE(result);
+  const auto& spline = std::get<Spline>(result->path.pieces[1].curve);
+  ASSERT_EQ(spline.spans.back().degree, 1);
+  EXPECT_NEAR(distance(spline.spans.back().control[0], spline.spans.back().control[1]), 1.25, 1e-12);
+}
+
+TEST(PatternDocking, RotatedStationGivesTheRotatedAnswer) {
+  const Pose place{12.5, -4.0, 37.0 * pi / 180.0};
+  const PlanningResult a = plan_with(fixture::problem(Id::d2));
+  const PlanningResult b = plan_with(fixture::problem(Id::d2, place));
+  ASSERT_TRUE(a && b);
+  const auto sa = sample(a->path, 2.4, 5e-4);
+  const auto sb = sample(b->path, 2.4, 5e-4);
+  ASSERT_EQ(sa.size(), sb.size());
+  const Frame frame{place};
+  for (std::size_t i = 0; i < sa.size(); ++i) {
+    const Pose moved = frame.to_world(sa[i].pose());
+    EXPECT_NEAR(distance(moved.position(), sb[i].pose().position()), 0.0, 1e-9);
+    EXPECT_NEAR(shorter_turn(moved.heading, sb[i].heading), 0.0, 1e-9);
+  }
+}
+
+TEST(PatternDocking, BlockedSideAloneIsAFailureThatSaysWhy) {
+  Scenario scenario = fixture::station(Id::d1);
+  scenario.map.lines.push_back({{1.0, -2.0}, {9.0, -2.0}});  // a wall along the right side
+  PatternDockingOptions options;
+  options.sides = SideChoice::right;
+  const PlanningResult result = plan_with(Problem::prepare(scenario).value(), options);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().failure.status, Status::no_path);
+  EXPECT_NE(result.error().failure.reason.find("line 0"), std::string::npos) << result.error().failure.reason;
+}
+
+TEST(PatternDocking, SameProblemSameBits) {
+  const Problem problem = fixture::problem(Id::d2);
+  const PlanningResult a = plan_with(problem);
+  const PlanningResult b = plan_with(problem);
+  ASSERT_TRUE(a && b);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& p = std::get<Spline>(a->path.pieces[i].curve);
+    const auto& q = std::get<Spline>(b->path.pieces[i].curve);
+    for (std::size_t k = 0; k < p.spans.size(); ++k) EXPECT_EQ(p.spans[k].control, q.spans[k].control);
+  }
+}
+
+TEST(Candidate, WhatCountsAsFreeIsFreeAtEveryMillimetre) {
+  const Problem problem = fixture::problem(Id::d2);
+  const DockingTask task = partition(problem);
+  CandidateEvaluator evaluator{problem};
+  Random random{7};
+  int free = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double sign = random.uniform() < 0.7 ? 1.0 : -1.0;
+    const Side side = sign > 0 ? Side::left : Side::right;
+    const Pose t{random.uniform(2.0, 6.0), sign * random.uniform(1.5, 6.0),
+                 transition_heading(side, task.dock.heading, random.uniform(-0.6, 0.6))};
+    const auto splines = straight_ended_pattern(problem.start(), problem.goal(), t, {});
+    const CandidateScore score = evaluator.evaluate(splines);
+    const auto samples = sample(pattern_path(splines), 2.4, 1e-6, 0.002);
+    bool touches = false;
+    for (const Sample& s : samples) touches |= !problem.world().is_free(problem.vehicle().footprint, s.pose(), 0.0);
+    if (score.free) {
+      ++free;
+      EXPECT_FALSE(touches);
+    }
+    EXPECT_NEAR(score.measures.length, samples.back().s, 1e-3 * samples.back().s);
+  }
+  EXPECT_GT(free, 20);
+}
+
+TEST(Candidate, GradedCostOrdersFeasibleLimitAndContact) {
+  CandidateScore feasible;
+  feasible.free = true;
+  feasible.measures.length = 10.0;
+  CandidateScore sharp = feasible;
+  sharp.excess = 0.2;
+  CandidateScore late = feasible;
+  late.free = false;
+  late.reach = 8.0;
+  CandidateScore early = late;
+  early.reach = 2.0;
+  EXPECT_LT(graded_cost(feasible, 1.0), graded_cost(sharp, 1.0));
+  EXPECT_LT(graded_cost(sharp, 1.0), graded_cost(late, 1.0));
+  EXPECT_LT(graded_cost(late, 1.0), graded_cost(early, 1.0));
+  EXPECT_GE(graded_cost(late, 1.0), 1000.0);
+}
+
+TEST(JoiningQuintic, MeetsCoursesAndHasNoCurvatureAtItsEnds) {
+  Random random{3};
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 a{random.uniform(-5, 5), random.uniform(-5, 5)};
+    const Vec2 b{random.uniform(-5, 5), random.uniform(-5, 5)};
+    const double ca = random.uniform(-pi, pi);
+    const double cb = random.uniform(-pi, pi);
+    const BezierSpan span = joining_quintic(a, ca, b, cb);
+    const CurvePoint p = evaluate(span, 0.0);
+    const CurvePoint q = evaluate(span, 1.0);
+    EXPECT_NEAR(distance(p.position, a), 0.0, 1e-14);
+    EXPECT_NEAR(distance(q.position, b), 0.0, 1e-14);
+    EXPECT_NEAR(shorter_turn(p.course, ca), 0.0, 1e-12);
+    EXPECT_NEAR(shorter_turn(q.course, cb), 0.0, 1e-12);
+    EXPECT_NEAR(p.curvature, 0.0, 1e-9);
+    EXPECT_NEAR(q.curvature, 0.0, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace waywright
