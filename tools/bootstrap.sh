@@ -55,15 +55,18 @@ build() {
     fi
     rm -f "$log"
   fi
-  if ninja -C "$dir" -n "$@" 2>/dev/null | grep -q 'no work to do'; then return 0; fi
-  say "building $preset (a few minutes the first time)"
-  local log
+  local log announcer
   log=$(mktemp)
+  { sleep 2 && say "building $dir (a few minutes the first time)"; } &
+  announcer=$!
   if ! ninja -C "$dir" "$@" >"$log" 2>&1; then
+    kill "$announcer" 2>/dev/null
     grep -vE '^\[[0-9]+/[0-9]+\]' "$log" | tail -n 60 >&2
     rm -f "$log"
     say "the build failed"
     exit 2
   fi
+  kill "$announcer" 2>/dev/null
+  wait "$announcer" 2>/dev/null
   rm -f "$log"
 }

@@ -11,13 +11,34 @@ namespace {
 
 constexpr int steps_per_quintic = 96;
 constexpr double reserve = 0.001;        // m kept beyond what is required, so that the proof never ends on a knife's edge
-constexpr double limit_share = 0.999;    // of curvature and its rate: samples may miss the very peak
+constexpr double limit_share = 0.9995;   // of curvature and its rate: what the peak between samples may be off by
 constexpr double least_step = 0.002;     // m of motion below which a passage counts as blocked
 constexpr double far_enough = 0.4;       // m of clearance beyond what is required: more says nothing
 
 // Bands of the graded cost. Costs of feasible paths are of the order of 1.
 constexpr double contact_band = 1000.0;
 constexpr double limit_band = 100.0;
+
+/// Greatest value of a smooth function from samples at equal steps: between three of them whose middle is the highest, the top
+/// of the parabola through them.
+class Peak {
+ public:
+  double add(double value, bool first_of_run) {
+    count_ = first_of_run ? 1 : count_ + 1;
+    greatest_ = std::max(greatest_, value);
+    if (count_ > 2 && b_ >= a_ && b_ >= value) {
+      const double bend = a_ - 2.0 * b_ + value;
+      if (bend < 0.0) greatest_ = std::max(greatest_, b_ - (a_ - value) * (a_ - value) / (8.0 * bend));
+    }
+    a_ = b_;
+    b_ = value;
+    return greatest_;
+  }
+
+ private:
+  double a_ = 0.0, b_ = 0.0, greatest_ = 0.0;
+  int count_ = 0;
+};
 
 }  // namespace
 
@@ -32,6 +53,7 @@ void CandidateEvaluator::sample(const std::array<Spline, 2>& splines, CandidateS
   states_.clear();
   double s = 0.0;
   double turned = 0.0;
+  Peak curvature_peak, rate_peak;
   PathMeasures& m = score.measures;
   for (std::size_t k = 0; k < splines.size(); ++k) {
     const double facing = k == 0 ? pi : 0.0;
@@ -54,8 +76,8 @@ void CandidateEvaluator::sample(const std::array<Spline, 2>& splines, CandidateS
         }
         last_speed = speed;
         last_turn_rate = turn_rate;
-        m.max_curvature = std::max(m.max_curvature, std::abs(point.curvature));
-        score.max_curvature_rate = std::max(score.max_curvature_rate, std::abs(point.curvature_rate));
+        m.max_curvature = curvature_peak.add(std::abs(point.curvature), j == 0);
+        score.max_curvature_rate = rate_peak.add(std::abs(point.curvature_rate), j == 0);
         if (j > 0 || i > 0) m.curvature_change += std::abs(point.curvature - last_curvature);
         last_curvature = point.curvature;
         if (j == 0 && !states_.empty()) continue;  // joints stand once

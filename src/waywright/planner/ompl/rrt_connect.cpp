@@ -11,6 +11,7 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 
@@ -118,11 +119,11 @@ void append_merged(Path& path, const Piece& piece) {
   }
 }
 
-Path exact_path(const Space& space, double radius, og::PathGeometric& found) {
+Path exact_path(const Space& space, double radius, const og::PathGeometric& found) {
+  const auto& states = const_cast<og::PathGeometric&>(found).getStates();  // OMPL has no const access
   Path path;
-  for (std::size_t i = 0; i + 1 < found.getStateCount(); ++i) {
-    for (const Piece& piece : pieces_between(space, radius, found.getState(static_cast<unsigned>(i)),
-                                             found.getState(static_cast<unsigned>(i + 1)))) {
+  for (std::size_t i = 0; i + 1 < states.size(); ++i) {
+    for (const Piece& piece : pieces_between(space, radius, states[i], states[i + 1])) {
       append_merged(path, piece);
     }
   }
@@ -149,6 +150,31 @@ ob::RealVectorBounds bounds_of(const Problem& problem, double radius) {
   bounds.setHigh(0, wide.high.x + 1e-6);
   bounds.setHigh(1, wide.high.y + 1e-6);
   return bounds;
+}
+
+/// The shortest of the path found and its simplifications that is free when looked at again as exact pieces: OMPL's shortcuts cut
+/// curves at inner states, and the Reeds–Shepp curve from there can be another one than the rest of the curve that was tested.
+Path simplified(const og::PathGeometric& found, const Path& first, const ob::SpaceInformationPtr& si, const Space& space,
+                double radius, int shortcuts, MotionTest& test, Budget& budget) {
+  Path best = first;
+  const auto steps = static_cast<unsigned>(shortcuts);
+  if (steps == 0) return best;
+  og::PathSimplifier simplifier{si};
+  og::PathGeometric current{found};
+  const auto keep = [&] {
+    const Path path = exact_path(space, radius, current);
+    if (length(path) >= length(best)) return;
+    if (std::all_of(path.pieces.begin(), path.pieces.end(), [&](const Piece& p) { return test.piece_free(p); })) best = path;
+  };
+  if (!budget.exhausted()) simplifier.reduceVertices(current, steps, steps);
+  keep();
+  for (int round = 0; round < 2 && !budget.exhausted(); ++round) {
+    simplifier.shortcutPath(current, steps, steps);
+    keep();
+    simplifier.reduceVertices(current, steps, steps);
+    keep();
+  }
+  return best;
 }
 
 struct Counts {
@@ -203,7 +229,7 @@ PlanningResult RrtConnectPlanner::plan(const Problem& problem, Budget& budget) c
       [&] { return test.placements() >= limit || budget.exhausted(); }};
   const ob::PlannerStatus status = planner.solve(stop);
   const auto* found = status == ob::PlannerStatus::EXACT_SOLUTION
-                          ? dynamic_cast<og::PathGeometric*>(definition->getSolutionPath().get())
+                          ? dynamic_cast<const og::PathGeometric*>(definition->getSolutionPath().get())
                           : nullptr;
 
   Alternative alternative;
@@ -225,17 +251,9 @@ PlanningResult RrtConnectPlanner::plan(const Problem& problem, Budget& budget) c
     return tl::unexpected{std::move(failure)};
   }
 
-  og::PathGeometric shortened{*found};
-  og::PathSimplifier simplifier{si};
-  if (!budget.exhausted()) {
-    simplifier.reduceVertices(shortened, static_cast<unsigned>(options_.shortcuts), static_cast<unsigned>(options_.shortcuts));
-    simplifier.shortcutPath(shortened, static_cast<unsigned>(options_.shortcuts), static_cast<unsigned>(options_.shortcuts));
-    simplifier.reduceVertices(shortened, static_cast<unsigned>(options_.shortcuts), static_cast<unsigned>(options_.shortcuts));
-  }
+  const Path first = exact_path(*space, radius, *found);
   Planned planned;
-  const Path first = exact_path(*space, radius, *const_cast<og::PathGeometric*>(found));
-  const Path second = exact_path(*space, radius, shortened);
-  planned.path = length(second) <= length(first) ? second : first;
+  planned.path = simplified(*found, first, si, *space, radius, options_.shortcuts, test, budget);
   budget.count_evaluations(test.placements());
 
   const Counts counts = count(planned.path);
