@@ -57,7 +57,7 @@ build() {
   fi
   local log announcer
   log=$(mktemp)
-  { sleep 2 && say "building $dir (a few minutes the first time)"; } &
+  { sleep 2 >/dev/null 2>&1 && say "building $dir (a few minutes the first time)"; } &
   announcer=$!
   if ! ninja -C "$dir" "$@" >"$log" 2>&1; then
     kill "$announcer" 2>/dev/null

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double cap = 10.0;                   // m; clearance beyond it is reported as this
 constexpr std::int64_t most_queries = 4000000;  // bound on the work for one path
+constexpr int deepest = 48;                    // halvings: only a cusp, where no bound on turning exists, gets there
 constexpr double least_tolerance = 1e-6;       // m
 
 /// Rounding of coordinates, distances and hulls: some ulps of the largest coordinate. m
@@ -43,7 +44,7 @@ class Search {
     // Tightest stretches first would be best; the order of travel is good enough because the ends have been looked at.
     std::vector<MotionInterval> stack(intervals.rbegin(), intervals.rend());
     while (!stack.empty() && best_.upper > 0.0) {
-      if (best_.queries > most_queries) {
+      if (best_.queries > most_queries || stack.back().depth() > deepest) {
         best_.complete = false;
         break;
       }

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double relative_slack = 1e-6;      // of a limit
 constexpr std::size_t most_intervals = 400000;
+constexpr int deepest = 48;                  // halvings
 constexpr double window = 0.25;              // m over which the curvature of a pose sequence is judged
 constexpr double slip_share = 0.02;          // sideways share of a step that rounding of outside poses may cause
 constexpr double slip_floor = 0.002;         // m
@@ -63,7 +64,7 @@ std::optional<Violation> exceeds(const std::vector<MotionInterval>& intervals, d
       continue;
     }
     // Halving a found excess only sharpens a figure that is already over the limit.
-    if (++visited > most_intervals || (worst && visited > 4000)) {
+    if (++visited > most_intervals || interval.depth() > deepest || (worst && visited > 4000)) {
       if (worst) return worst;
       return Violation{fmt::format("the {} could not be shown to keep the limit of {:.4f} {} near ({:.3f}, {:.3f})", what,
                                    limit, unit_name, interval.begin().x, interval.begin().y),

@@ -137,6 +137,12 @@ double MotionInterval::deviation(double radius) const {
 }
 
 std::pair<MotionInterval, MotionInterval> MotionInterval::halve() const {
+  auto both = halves();
+  both.first.depth_ = both.second.depth_ = depth_ + 1;
+  return both;
+}
+
+std::pair<MotionInterval, MotionInterval> MotionInterval::halves() const {
   if (const auto* p = std::get_if<Polynomial>(&curve_)) {
     // On half the parameter range: N scales with u′³ (1/8), D with 1/4, M with (1/8·1/2)(1/4) = 1/64.
     const auto [left, right] = waywright::halve(p->span);

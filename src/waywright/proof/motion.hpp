@@ -24,6 +24,8 @@ class MotionInterval {
   const Pose& end() const { return end_; }
   /// m; +∞ where the course is not bounded on the interval (a cusp).
   double deviation(double radius) const;
+  /// How often the curve was halved to get here.
+  int depth() const { return depth_; }
   /// Halves that join.
   std::pair<MotionInterval, MotionInterval> halve() const;
 
@@ -51,12 +53,14 @@ class MotionInterval {
   struct Straight {};  // straight interpolation of position and heading: exact
 
   double curvature_at(double u) const;
+  std::pair<MotionInterval, MotionInterval> halves() const;
   static MotionInterval make(Polynomial polynomial, int direction);
   static MotionInterval make(const Arc& arc, int direction);
 
   Pose begin_{};
   Pose end_{};
   int direction_ = 1;
+  int depth_ = 0;
   std::variant<Straight, Circular, Polynomial> curve_;
 };
 

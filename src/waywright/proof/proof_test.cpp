@@ -1,0 +1,235 @@
+#include "waywright/proof/proof.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/oracle/brute_force.hpp"
+#include "waywright/core/random.hpp"
+#include "waywright/curve/bezier.hpp"
+#include "waywright/proof/collision.hpp"
+#include "waywright/proof/limits.hpp"
+
+namespace waywright {
+namespace {
+
+Vehicle forklift() {
+  Vehicle v;
+  v.footprint.polygon = rectangle({-2.30, -0.45}, {0.40, 0.45});
+  v.drive = Tricycle{1.9, 1.0, std::nullopt, SteeredAxle::rear};
+  v.limits.curvature = 0.8;
+  return v;
+}
+
+/// An L: not convex, so that the proof has to work on parts.
+Ring l_shape() { return {{-1.5, -0.6}, {0.8, -0.6}, {0.8, 0.0}, {-0.5, 0.0}, {-0.5, 0.6}, {-1.5, 0.6}}; }
+
+Map random_map(Random& random, int boxes, int points) {
+  Map map;
+  for (int i = 0; i < boxes; ++i) {
+    const Vec2 half{random.uniform(0.1, 0.8), random.uniform(0.1, 0.8)};
+    const Pose at{random.uniform(-6, 6), random.uniform(-6, 6), random.uniform(-pi, pi)};
+    map.obstacles.push_back(transformed(rectangle(-half, half), Frame{at}));
+  }
+  for (int i = 0; i < points; ++i) map.points.push_back({random.uniform(-6, 6), random.uniform(-6, 6)});
+  return map;
+}
+
+Curve random_curve(Random& random, const Pose& from) {
+  const double kind = random.uniform();
+  if (kind < 0.2) return Line{from.position(), from.position() + random.uniform(0.2, 4.0) * unit(from.heading)};
+  if (kind < 0.5) return Arc{from, random.uniform(-0.8, 0.8), random.uniform(0.2, 4.0)};
+  const Pose to{random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-pi, pi)};
+  const double d = distance(from.position(), to.position()) * random.uniform(0.6, 1.6) + 0.1;
+  if (kind < 0.8) return Spline{SplineKind::quintic, {straight_ended_quintic(from.position(), d * unit(from.heading), to.position(), d * unit(to.heading))}};
+  return Spline{SplineKind::natural_cubic, {cubic_hermite(from.position(), d * unit(from.heading), to.position(), d * unit(to.heading))}};
+}
+
+Path random_path(Random& random) {
+  Path path;
+  Pose at{random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-pi, pi)};
+  const int direction = random.uniform() < 0.5 ? 1 : -1;
+  for (int i = 0; i < 2; ++i) {
+    path.pieces.push_back({random_curve(random, at), i == 0 ? direction : direction});
+    const Pose end = end_pose(path.pieces.back());
+    at = make_pose(end.position(), direction > 0 ? end.heading : wrap(end.heading + pi));
+  }
+  return path;
+}
+
+Problem problem_for(const Map& map, const Path& path, const Footprint& footprint) {
+  Scenario s;
+  s.map = map;
+  s.vehicle = forklift();
+  s.vehicle.footprint = footprint;
+  s.start = start_pose(path);
+  s.mission = end_pose(path);
+  return Problem::prepare(s).value();
+}
+
+/// Bounds against dense sampling by the independent oracle: never above the truth, at most the tolerance below it.
+void bounds_hold(int runs, std::uint64_t seed, double step) {
+  Random random{seed};
+  int free = 0;
+  for (int i = 0; i < runs; ++i) {
+    const Map map = random_map(random, 6, 10);
+    const Path path = random_path(random);
+    Footprint footprint;
+    const double kind = random.uniform();
+    if (kind < 0.5) footprint = forklift().footprint;
+    else if (kind < 0.8) footprint.polygon = l_shape();
+    else footprint.disc = random.uniform(0.0, 0.8);
+    const Problem problem = problem_for(map, path, footprint);
+    const Proof proof = prove(problem, path);
+    const double truth = oracle_path_clearance(map, {}, {}, footprint, path, step);
+    ASSERT_LE(proof.certificate.clearance, truth + 1e-9) << "seed " << seed << " run " << i;
+    if (proof.certificate.collision_free) {
+      ++free;
+      ASSERT_GT(truth, 0.0) << "seed " << seed << " run " << i;
+    }
+    // The oracle's samples can miss the least clearance by half its step.
+    ASSERT_GE(proof.certificate.clearance, truth - proof.certificate.tolerance - step) << "seed " << seed << " run " << i;
+  }
+  EXPECT_GT(free, runs / 50);
+}
+
+TEST(Proof, BoundIsNeverWrongAndHardlyCautious) { bounds_hold(300, 11, 0.004); }
+TEST(Proof, BoundIsNeverWrongAndHardlyCautiousFull) { bounds_hold(20000, 12, 0.002); }
+
+TEST(Proof, ClearanceOfStraightMotionIsExact) {
+  Map map;
+  map.points = {{5.0, 0.95}};
+  const Path path{{{Line{{0, 0}, {10, 0}}, 1}}};
+  const Proof proof = prove(problem_for(map, path, forklift().footprint), path);
+  EXPECT_TRUE(proof.holds());
+  EXPECT_NEAR(proof.certificate.clearance, 0.5, 1e-9);
+  EXPECT_NEAR(proof.certificate.checked_length, 10.0, 1e-9);
+}
+
+TEST(Proof, AThinWallBetweenSamplesIsFound) {
+  Map map;
+  map.lines = {{{3.0123, -5.0}, {3.0123, 5.0}}};
+  const Path path{{{Line{{0, 0}, {10, 0}}, 1}}};
+  const Proof proof = prove(problem_for(map, path, forklift().footprint), path);
+  EXPECT_FALSE(proof.certificate.collision_free);
+  EXPECT_EQ(proof.certificate.tightest_obstacle, "line 0");
+}
+
+TEST(Proof, TouchingCountsAsCollision) {
+  Map map;
+  map.obstacles = {rectangle({2.0, 0.45}, {3.0, 1.0})};
+  const Path path{{{Line{{0, 0}, {10, 0}}, 1}}};
+  EXPECT_FALSE(prove(problem_for(map, path, forklift().footprint), path).certificate.collision_free);
+}
+
+TEST(Proof, PoseErrorIsTakenOffAndHoldsForEveryPoseWithinIt) {
+  Map map;
+  map.points = {{5.0, 0.75}, {2.0, -0.8}};
+  const Path path{{{Line{{0, 0}, {10, 0}}, 1}}};
+  Scenario s = problem_for(map, path, forklift().footprint).scenario();
+  s.pose_error = {0.03, 0.02, 0.02};
+  const Problem problem = Problem::prepare(s).value();
+  const Proof proof = prove(problem, path);
+  ASSERT_TRUE(proof.certificate.collision_free);
+  Random random{5};
+  for (int i = 0; i < 4000; ++i) {
+    const Frame nominal{Pose{random.uniform(0, 10), 0.0, 0.0}};
+    const Pose off = nominal.to_world(Pose{random.uniform(-0.02, 0.02), random.uniform(-0.03, 0.03), random.uniform(-0.02, 0.02)});
+    EXPECT_GE(problem.world().clearance(s.vehicle.footprint, off, 10.0).clearance, proof.certificate.clearance);
+  }
+}
+
+TEST(Proof, ClearanceMetExactlyAtTheGoalStands) {
+  Map map;
+  map.obstacles = {rectangle({10.5, -1.0}, {11.0, 1.0})};
+  const Path path{{{Line{{0, 0}, {10, 0}}, 1}}};
+  Scenario s = problem_for(map, path, forklift().footprint).scenario();
+  s.clearance = 0.1;
+  const Proof proof = prove(Problem::prepare(s).value(), path);
+  EXPECT_TRUE(proof.holds()) << proof.violations.front().sentence;
+}
+
+TEST(Limits, CurvatureOverTheLimitIsFoundBetweenSamples) {
+  const BezierSpan sharp = straight_ended_quintic({0, 0}, {3.0, 0}, {2, 2}, {0, 3.0});
+  const Path path{{{Spline{SplineKind::quintic, {sharp}}, 1}}};
+  double peak = 0.0;
+  double rate = 0.0;
+  for (int i = 0; i <= 100000; ++i) {
+    const CurvePoint p = evaluate(sharp, i / 1e5);
+    peak = std::max(peak, std::abs(p.curvature));
+    rate = std::max(rate, std::abs(p.curvature_rate));
+  }
+  Vehicle v = forklift();
+  std::get<Tricycle>(v.drive).max_steering = 1.5;
+  v.limits.curvature = peak * (1.0 + 1e-5);
+  EXPECT_TRUE(check_limits(v, path).empty());
+  v.limits.curvature = peak * (1.0 - 1e-5);
+  EXPECT_FALSE(check_limits(v, path).empty());
+  v.limits.curvature = 10.0;
+  v.limits.curvature_rate = rate * (1.0 + 1e-5);
+  EXPECT_TRUE(check_limits(v, path).empty());
+  v.limits.curvature_rate = rate * (1.0 - 1e-5);
+  EXPECT_FALSE(check_limits(v, path).empty());
+}
+
+TEST(Limits, SidewaysMotionAndTurningOnTheSpotAreRefusedForATricycle) {
+  const Path sideways{{{PoseSequence{{{0, 0, 0}, {0.0, 0.5, 0}}}, 1}}};
+  EXPECT_FALSE(check_limits(forklift(), sideways).empty());
+  const Path turn{{{Turn{{0, 0}, 0.0, 1.0}, 0}}};
+  EXPECT_FALSE(check_limits(forklift(), turn).empty());
+  Vehicle differential = forklift();
+  differential.drive = Differential{0.6};
+  EXPECT_TRUE(check_limits(differential, turn).empty());
+  differential.drive = Mecanum{0.1, 0.3, 0.3};
+  EXPECT_TRUE(check_limits(differential, sideways).empty());
+}
+
+TEST(Proof, GapsWrongEndsAndBrokenNumbersAreViolations) {
+  const Map map;
+  const Path good{{{Line{{0, 0}, {2, 0}}, 1}, {Line{{2, 0}, {4, 0}}, 1}}};
+  const Problem problem = problem_for(map, good, forklift().footprint);
+  EXPECT_TRUE(prove(problem, good).holds());
+  EXPECT_FALSE(prove(problem, {{{Line{{0, 0}, {2, 0}}, 1}, {Line{{2.01, 0}, {4, 0}}, 1}}}).holds());
+  EXPECT_FALSE(prove(problem, {{{Line{{0, 0}, {2, 0}}, 1}}}).holds());
+  EXPECT_FALSE(prove(problem, {}).holds());
+  EXPECT_FALSE(prove(problem, {{{Line{{0, 0}, {std::nan(""), 0}}, 1}}}).holds());
+  EXPECT_FALSE(prove(problem, {{{Line{{0, 0}, {0, 0}}, 1}}}).holds());
+  EXPECT_FALSE(prove(problem, {{{Spline{SplineKind::quintic, {}}, 1}}}).holds());
+  EXPECT_FALSE(prove(problem, {{{Line{{0, 0}, {4, 0}}, 0}}}).holds());
+}
+
+TEST(Proof, ACuspIsRefusedInBoundedWork) {
+  // Control points that fold back: the speed vanishes inside.
+  const BezierSpan cusp{3, {Vec2{0, 0}, {4, 0}, {-2, 0.0}, {2, 0}}};
+  const Path path{{{Spline{SplineKind::natural_cubic, {cusp}}, 1}}};
+  const Proof proof = prove(problem_for({}, path, forklift().footprint), path);
+  EXPECT_FALSE(proof.holds());
+}
+
+TEST(MotionInterval, EveryPoseIsWithinItsDeviation) {
+  Random random{21};
+  for (int i = 0; i < 2000; ++i) {
+    const Path path = random_path(random);
+    for (const Piece& piece : path.pieces) {
+      std::vector<MotionInterval> intervals = MotionInterval::of(piece);
+      for (int level = 0; level < 3; ++level) {
+        auto [left, right] = intervals.back().halve();
+        intervals.back() = random.uniform() < 0.5 ? left : right;
+      }
+      const MotionInterval& m = intervals.back();
+      auto [left, right] = m.halve();
+      const double radius = 2.0;
+      const double deviation = m.deviation(radius);
+      if (!std::isfinite(deviation)) continue;
+      // λ = ½ is where the halves meet: a body point's true place against the middle of its two end places.
+      for (const Vec2 body : {Vec2{radius, 0}, Vec2{0, -radius}, Vec2{-1.2, 1.2}}) {
+        const Vec2 even = 0.5 * (Frame{m.begin()}.to_world(body) + Frame{m.end()}.to_world(body));
+        EXPECT_LE(distance(even, Frame{right.begin()}.to_world(body)), deviation + 1e-9);
+      }
+      EXPECT_NEAR(distance(left.end().position(), right.begin().position()), 0.0, 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace waywright
