@@ -38,7 +38,7 @@ Pose pose_of(const ob::State* state) {
 void assign(ob::State* state, const Pose& pose) {
   auto* s = state->as<Space::StateType>();
   s->setXY(pose.x, pose.y);
-  s->setYaw(pose.heading);
+  s->setYaw(pose.heading >= pi ? -pi : pose.heading);  // OMPL's range is [−π, π)
 }
 
 /// The Reeds–Shepp curve between two states as exact pieces.
@@ -224,6 +224,18 @@ PlanningResult RrtConnectPlanner::plan(const Problem& problem, Budget& budget) c
   og::RRTConnect planner{si};
   planner.setProblemDefinition(definition);
   planner.setup();
+  Alternative alternative;
+  alternative.name = "Reeds-Shepp, RRTConnect";
+  for (const ob::State* end : {start.get(), goal.get()}) {
+    if (si->satisfiesBounds(end) && si->isValid(end)) continue;
+    // OMPL would wait for another goal for ever.
+    const Pose pose = pose_of(end);
+    PlanningFailure failure;
+    failure.failure = {Status::no_path, fmt::format("the {} pose is not one that RRTConnect can use", end == start.get() ? "start" : "goal"), pose, {}};
+    alternative.outcome = failure.failure.reason;
+    failure.alternatives.push_back(std::move(alternative));
+    return tl::unexpected{std::move(failure)};
+  }
   const std::int64_t limit = budget.limits().samples.value_or(options_.checks);
   const ob::PlannerTerminationCondition stop{
       [&] { return test.placements() >= limit || budget.exhausted(); }};
@@ -232,8 +244,6 @@ PlanningResult RrtConnectPlanner::plan(const Problem& problem, Budget& budget) c
                           ? dynamic_cast<const og::PathGeometric*>(definition->getSolutionPath().get())
                           : nullptr;
 
-  Alternative alternative;
-  alternative.name = "Reeds-Shepp, RRTConnect";
   if (found == nullptr) {
     budget.count_evaluations(test.placements());
     PlanningFailure failure;
