@@ -77,14 +77,17 @@ std::string chart_svg(const Chart& chart, double width, double height) {
     out += fmt::format("<line class=\"gridline\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/><text class=\"small middle\" x=\"{0}\" y=\"{3}\">{4}</text>\n",
                        fixed(x_of(s)), fixed(top), fixed(top + plot_height), fixed(top + plot_height + 16), fixed(s));
   }
-  out += fmt::format("<text class=\"small end\" x=\"{}\" y=\"{}\">s in m</text>", fixed(width - right), fixed(height - 2));
+  out += fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">s in m</text>", fixed(4.0), fixed(top + plot_height + 16));
   std::string points;
   for (std::size_t i = 0; i < chart.s.size(); ++i) points += fixed(x_of(chart.s[i])) + "," + fixed(y_of(chart.value[i])) + " ";
   out += fmt::format("<polyline class=\"curve\" points=\"{}\"/>\n", points);
-  for (const ChartLimit& limit : chart.limits) {
-    out += fmt::format("<line class=\"limit\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/><text class=\"small end\" x=\"{}\" y=\"{}\">{}</text>\n",
-                       fixed(left), fixed(y_of(limit.value)), fixed(width - right), fixed(y_of(limit.value)), fixed(width - right - 4),
-                       fixed(y_of(limit.value) + (limit.value < 0.0 ? 12.0 : -4.0)), escaped(limit.name));
+  for (std::size_t i = 0; i < chart.limits.size(); ++i) {
+    const ChartLimit& limit = chart.limits[i];
+    const bool at_end = i % 2 == 0;  // two limits close together keep their names apart
+    out += fmt::format("<line class=\"limit\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/><text class=\"small{}\" x=\"{}\" y=\"{}\">{}</text>\n",
+                       fixed(left), fixed(y_of(limit.value)), fixed(width - right), fixed(y_of(limit.value)), at_end ? " end" : "",
+                       fixed(at_end ? width - right - 4 : left + 4), fixed(y_of(limit.value) + (limit.value < 0.0 ? -4.0 : 12.0)),
+                       escaped(limit.name));
   }
   out += fmt::format("<text class=\"title\" x=\"{}\" y=\"16\">{}</text></svg>\n", fixed(left), escaped(chart.title));
   return out;

@@ -295,9 +295,9 @@ std::string overlay_svg(const Scenario& scenario, const std::vector<std::pair<st
     const auto& [name, plan] = plans[i];
     const char* colour = palette[i % palette.size()];
     if (!plan->samples.empty()) {
-      svg.raw(fmt::format("<g style=\"--fwd:{0};--back:{0};--shelf:{0}\">", colour));
-      draw_path(svg, plan->samples);
-      svg.raw("</g>\n");
+      std::vector<Vec2> points;
+      for (const Sample& s : plan->samples) points.push_back({s.x, s.y});
+      svg.coloured_polyline(points, colour);
     }
     legend += fmt::format("<line x1=\"12\" y1=\"{0}\" x2=\"40\" y2=\"{0}\" stroke=\"{1}\" stroke-width=\"3\"/><text class=\"small\" x=\"48\" y=\"{2}\">{3} ({4})</text>\n",
                           fixed(y - 4), colour, fixed(y), escaped(name), to_string(plan->status));

@@ -50,6 +50,10 @@ void SvgWriter::polygon(const std::vector<Vec2>& ring, std::string_view style_cl
   out_ += fmt::format("<polygon class=\"{}\" points=\"{}\"/>\n", style_class, points(ring));
 }
 
+void SvgWriter::coloured_polyline(const std::vector<Vec2>& line, std::string_view colour) {
+  out_ += fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"3\" points=\"{}\"/>\n", colour, points(line));
+}
+
 void SvgWriter::polyline(const std::vector<Vec2>& line, std::string_view style_class) {
   out_ += fmt::format("<polyline class=\"{}\" points=\"{}\"/>\n", style_class, points(line));
 }
@@ -84,19 +88,29 @@ void SvgWriter::label(Vec2 p, Vec2 offset, std::string_view text, std::string_vi
   out_ += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", style_class, fixed(q.x), fixed(q.y), escaped(text));
 }
 
-std::string_view picture_styles() {
-  return R"(
-.ww{--ink:#1b1f24;--soft:#5b6570;--paper:#fff;--grid:#e3e7eb;--wall:#39424c;--solid:#9aa5b1;--cell:#59636e;--unknown:#c9d0d7;
---fwd:#0072b2;--back:#d55e00;--sweep:#0072b2;--zone:#009e73;--shelf:#cc79a7;--bad:#b00020;--alt:#7a828a}
-@media (prefers-color-scheme:dark){.ww{--ink:#e8ecf0;--soft:#a7b1bb;--paper:#14181d;--grid:#2a3138;--wall:#b9c3cd;--solid:#5b6671;
---cell:#8f9aa6;--unknown:#343c45;--fwd:#56b4e9;--back:#f0a04b;--sweep:#56b4e9;--zone:#2fc79b;--shelf:#d99bbd;--bad:#ff8a8a;--alt:#8b949d}}
+namespace {
+
+struct Colour {
+  const char* name;
+  const char* light;
+  const char* dark;
+};
+// Okabe and Ito's palette for what must be told apart; greys for the rest.
+constexpr Colour colours[] = {
+    {"ink", "#1b1f24", "#e8ecf0"},   {"soft", "#5b6570", "#a7b1bb"},    {"paper", "#fff", "#14181d"}, {"grid", "#e3e7eb", "#2a3138"},
+    {"wall", "#39424c", "#b9c3cd"},  {"solid", "#9aa5b1", "#5b6671"},   {"cell", "#59636e", "#8f9aa6"},
+    {"unknown", "#c9d0d7", "#343c45"}, {"fwd", "#0072b2", "#56b4e9"},   {"back", "#d55e00", "#f0a04b"},
+    {"zone", "#009e73", "#2fc79b"},  {"shelf", "#cc79a7", "#d99bbd"},   {"bad", "#b00020", "#ff8a8a"}, {"alt", "#7a828a", "#8b949d"},
+};
+
+constexpr std::string_view rules = R"(
 .ww .paper{fill:var(--paper)}.ww text{font-family:system-ui,-apple-system,"DejaVu Sans",sans-serif;fill:var(--ink)}
 .ww .boundary{fill:none;stroke:var(--wall);stroke-width:2}.ww .area{fill:none;stroke:var(--wall);stroke-width:1.5;stroke-dasharray:7 4}
 .ww .obstacle{fill:var(--solid);stroke:var(--wall);stroke-width:1}.ww .wall{fill:none;stroke:var(--wall);stroke-width:2}
 .ww .point{fill:var(--wall)}.ww .cell{fill:var(--cell)}.ww .unknown{fill:var(--unknown)}
 .ww .shelf{fill:var(--shelf);fill-opacity:.45;stroke:var(--shelf);stroke-width:1.5}.ww .face{stroke:var(--shelf);stroke-width:5}
 .ww .zone{fill:var(--zone);fill-opacity:.10;stroke:var(--zone);stroke-width:1;stroke-dasharray:3 3}
-.ww .sweep{fill:var(--sweep);fill-opacity:.14;stroke:none}.ww .ghost{fill:none;stroke:var(--soft);stroke-width:.6;stroke-opacity:.55}
+.ww .sweep{fill:var(--fwd);fill-opacity:.14;stroke:none}.ww .ghost{fill:none;stroke:var(--soft);stroke-width:.6;stroke-opacity:.55}
 .ww .vehicle{fill:var(--paper);fill-opacity:.5;stroke:var(--ink);stroke-width:1.6}.ww .heading{stroke:var(--ink);stroke-width:1.6;fill:none}
 .ww .fwd{fill:none;stroke:var(--fwd);stroke-width:3}.ww .back{fill:none;stroke:var(--back);stroke-width:3}
 .ww .turn{fill:none;stroke:var(--shelf);stroke-width:4}.ww .fwdmark{fill:var(--fwd)}.ww .backmark{fill:var(--back)}
@@ -110,6 +124,23 @@ std::string_view picture_styles() {
 .ww .change{stroke:var(--soft);stroke-width:1.2;stroke-dasharray:2 3}.ww .title{font-size:13px;font-weight:600}.ww .end{text-anchor:end}
 .ww .middle{text-anchor:middle}
 )";
+
+/// The rules with plain colours: many viewers of SVG know no CSS variables.
+std::string coloured(const char* Colour::* theme) {
+  std::string text{rules};
+  for (const Colour& colour : colours) {
+    const std::string variable = fmt::format("var(--{})", colour.name);
+    for (std::size_t at = 0; (at = text.find(variable, at)) != std::string::npos;) text.replace(at, variable.size(), colour.*theme);
+  }
+  return text;
+}
+
+}  // namespace
+
+const std::string& picture_styles() {
+  static const std::string styles =
+      coloured(&Colour::light) + "@media (prefers-color-scheme:dark){" + coloured(&Colour::dark) + "}\n";
+  return styles;
 }
 
 }  // namespace waywright

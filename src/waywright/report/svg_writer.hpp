@@ -31,6 +31,7 @@ class SvgWriter {
   /// World coordinates.
   void polygon(const std::vector<Vec2>& ring, std::string_view style_class);
   void polyline(const std::vector<Vec2>& points, std::string_view style_class);
+  void coloured_polyline(const std::vector<Vec2>& points, std::string_view colour);
   void line(Vec2 a, Vec2 b, std::string_view style_class);
   void dot(Vec2 p, double pixels, std::string_view style_class);
   /// Many rings as one shape, filled as their union where all turn the same way.
@@ -48,6 +49,6 @@ class SvgWriter {
 };
 
 /// The styles of all pictures, light and dark, safe for the colour-blind (Okabe and Ito's palette).
-std::string_view picture_styles();
+const std::string& picture_styles();
 
 }  // namespace waywright
