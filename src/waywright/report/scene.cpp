@@ -261,7 +261,12 @@ std::string scene_svg(const Plan& plan, double width) {
     svg.polygon(outline_at(footprint, *c.tightest), "ghost");
     svg.line(on, c.tightest_point, "tight");
     svg.dot(c.tightest_point, 3.5, "tightdot");
-    svg.label(c.tightest_point, {8.0, 16.0}, fmt::format("{:.0f} mm", 1000.0 * distance(on, c.tightest_point)), "tighttext name");
+    // Beyond the obstacle's point, away from the vehicle and its name.
+    const Vec2 away = c.tightest_point - on;
+    const double length = norm(away);
+    const Vec2 direction = length > 0.0 ? Vec2{away.x / length, -away.y / length} : Vec2{0.0, 1.0};
+    const Vec2 offset{12.0 * direction.x - (direction.x < -0.3 ? 52.0 : direction.x < 0.3 ? 24.0 : 0.0), 14.0 * direction.y + 5.0};
+    svg.label(c.tightest_point, offset, fmt::format("{:.0f} mm", 1000.0 * length), "tighttext name");
   }
   svg.close_group();
   draw_scale(svg, canvas.width, canvas.height);
