@@ -19,12 +19,15 @@ Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario) {
     }
     scenario.seed = *arguments.seed;
   }
-  const PlannerDescription* planner = find_planner(scenario.planner.name);
-  if (planner == nullptr) return {};  // solve() has the sentence
-  for (const std::string& key_value : arguments.set) {
-    if (auto set = set_parameter(*planner, scenario.planner.parameters, key_value); !set) return set;
+  if (const PlannerDescription* planner = find_planner(scenario.planner.name)) {
+    for (const std::string& key_value : arguments.set) {
+      if (auto set = set_parameter(*planner, scenario.planner.parameters, key_value); !set) return set;
+    }
   }
-  return {};
+  auto complete = complete_parameters(scenario.planner);
+  if (complete) return {};
+  if (arguments.planner.empty()) complete.error().file = arguments.scenario.string();
+  return tl::unexpected{complete.error()};
 }
 
 }  // namespace

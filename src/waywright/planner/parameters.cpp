@@ -50,7 +50,21 @@ std::optional<InputError> check(const ParameterDescription& p, const ParameterVa
   return std::nullopt;
 }
 
+std::string names_of_planners() {
+  std::string names;
+  for (const PlannerDescription& p : planners()) names += (names.empty() ? "" : ", ") + p.name;
+  return names;
+}
+
 }  // namespace
+
+Parsed<Parameters> complete_parameters(const PlannerChoice& choice) {
+  const PlannerDescription* planner = find_planner(choice.name);
+  if (planner == nullptr) {
+    return tl::unexpected{InputError{"", "planner.name", fmt::format("\"{}\" is not known", choice.name), names_of_planners()}};
+  }
+  return complete_parameters(*planner, choice.parameters);
+}
 
 Parsed<Parameters> complete_parameters(const PlannerDescription& planner, const Parameters& given) {
   Parameters complete;

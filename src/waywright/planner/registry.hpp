@@ -17,6 +17,9 @@ const OptimizerDescription* find_optimizer(std::string_view name);
 /// Parameters completed with defaults, or the first that is unknown, mistyped or out of range.
 Parsed<Parameters> complete_parameters(const PlannerDescription& planner, const Parameters& given);
 
+/// The same for what a scenario names: its planner must be known and its parameters fit.
+Parsed<Parameters> complete_parameters(const PlannerChoice& choice);
+
 /// Parses "KEY=VALUE" against a planner's description.
 Parsed<void> set_parameter(const PlannerDescription& planner, Parameters& parameters, const std::string& key_value);
 

@@ -9,12 +9,6 @@
 namespace waywright {
 namespace {
 
-std::string names_of_planners() {
-  std::string names;
-  for (const PlannerDescription& p : planners()) names += (names.empty() ? "" : ", ") + p.name;
-  return names;
-}
-
 std::string proof_sentence(const Problem& problem, const Plan& plan) {
   const Certificate& c = plan.certificate;
   std::string text = fmt::format("Proven along the whole motion: the footprint keeps at least {:.4f} m from everything", c.clearance);
@@ -32,13 +26,9 @@ std::string proof_sentence(const Problem& problem, const Plan& plan) {
 
 Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
   const Scenario& scenario = problem.scenario();
-  const PlannerDescription* description = find_planner(scenario.planner.name);
-  if (description == nullptr) {
-    return tl::unexpected{InputError{"", "planner.name", fmt::format("\"{}\" is not known", scenario.planner.name),
-                                     names_of_planners()}};
-  }
-  auto parameters = complete_parameters(*description, scenario.planner.parameters);
+  auto parameters = complete_parameters(scenario.planner);
   if (!parameters) return tl::unexpected{parameters.error()};
+  const PlannerDescription* description = find_planner(scenario.planner.name);
 
   const auto finish = [&](Plan plan) {
     plan.planner = description->name;

@@ -1,0 +1,353 @@
+// The command line as a user meets it: files, standard streams, exit statuses.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+struct Outcome {
+  int status = -1;
+  std::string out, err;
+};
+
+std::string slurp(const fs::path& path) {
+  std::ifstream in{path, std::ios::binary};
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+class CommandLine : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "waywright-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Outcome run(const std::string& arguments) const {
+    const std::string command = "cd '" + folder_.string() + "' && '" WAYWRIGHT_BINARY "' " + arguments + " >out.txt 2>err.txt </dev/null";
+    const int raw = std::system(command.c_str());
+    return {WIFEXITED(raw) ? WEXITSTATUS(raw) : 128, slurp(folder_ / "out.txt"), slurp(folder_ / "err.txt")};
+  }
+  static std::string example(const std::string& name) { return std::string{WAYWRIGHT_SOURCE_DIR} + "/examples/" + name; }
+
+  Json scenario() const { return Json::parse(slurp(example("dock_middle.json"))); }
+  std::string write(const Json& json, const std::string& name = "s.json") const {
+    Json whole = json;
+    if (whole.contains("vehicle") && whole["vehicle"] == "vehicles/forklift.json") whole["vehicle"] = example("vehicles/forklift.json");
+    std::ofstream{folder_ / name} << whole.dump();
+    return name;
+  }
+
+  /// Status 2 and one sentence on standard error that holds these words; nothing on standard output, nothing written.
+  void refused(const Outcome& o, const std::vector<std::string>& words) const {
+    EXPECT_EQ(o.status, 2) << o.out << o.err;
+    EXPECT_EQ(std::count(o.err.begin(), o.err.end(), '\n'), 1) << o.err;
+    for (const std::string& word : words) EXPECT_NE(o.err.find(word), std::string::npos) << "«" << word << "» is not in: " << o.err;
+    EXPECT_TRUE(o.out.empty()) << o.out;
+    EXPECT_FALSE(fs::exists(folder_ / "waywright-out"));
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(CommandLine, EveryExamplePlansAndVerifies) {
+  for (const auto& entry : fs::directory_iterator{example("")}) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() != ".json") continue;
+    const bool impossible = name == "dock_impossible.json";
+    const Outcome planned = run("plan " + entry.path().string() + " -o " + name + ".out");
+    EXPECT_EQ(planned.status, impossible ? 1 : 0) << name << planned.err;
+    for (const char* file : {"plan.json", "plan.svg", "report.html"}) EXPECT_TRUE(fs::exists(folder_ / (name + ".out") / file)) << name;
+    const Json plan = Json::parse(slurp(folder_ / (name + ".out") / "plan.json"));
+    EXPECT_EQ(plan["status"], impossible ? "no_path" : "solved");
+    EXPECT_EQ(run("verify " + name + ".out/plan.json").status, impossible ? 1 : 0) << name;
+  }
+}
+
+TEST_F(CommandLine, WithoutArgumentsPlansTheBundledExampleAndNamesItsFiles) {
+  const Outcome o = run("");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_NE(o.out.find("plan.svg"), std::string::npos);
+  EXPECT_NE(o.out.find("report.html"), std::string::npos);
+}
+
+TEST_F(CommandLine, JsonIsAloneOnStandardOutputAndReproducible) {
+  auto timeless = [](const std::string& text) {
+    Json j = Json::parse(text);
+    j.erase("timing");
+    return j.dump();
+  };
+  const Outcome a = run("plan " + example("dock_cluttered.json") + " --json");
+  const Outcome b = run("plan " + example("dock_cluttered.json") + " --json");
+  EXPECT_EQ(a.status, 0);
+  EXPECT_TRUE(a.err.empty()) << a.err;
+  EXPECT_EQ(timeless(a.out), timeless(b.out));
+  EXPECT_FALSE(fs::exists(folder_ / "waywright-out"));
+}
+
+TEST_F(CommandLine, PlanFileKeepsItsContract) {
+  ASSERT_EQ(run("plan " + example("dock_middle.json") + " -o o --seed 7 --set evaluations=300").status, 0);
+  const Json plan = Json::parse(slurp(folder_ / "o/plan.json"));
+  EXPECT_EQ(plan["format"], "waywright-plan/1");
+  EXPECT_EQ(plan["seed"], 7);
+  EXPECT_EQ(plan["planner"]["parameters"]["evaluations"], 300);
+  EXPECT_EQ(plan["scenario"]["planner"]["evaluations"], 300);
+  EXPECT_TRUE(plan["reason"].is_null());
+  const Json& s = plan["path"]["samples"];
+  const std::size_t n = s["s"].size();
+  for (const char* column : {"x", "y", "heading", "course", "curvature", "direction", "t", "speed"}) ASSERT_EQ(s[column].size(), n) << column;
+  EXPECT_NEAR(s["x"][0].get<double>(), 9.5, 1e-9);
+  EXPECT_NEAR(s["x"][n - 1].get<double>(), 2.0, 1e-9);
+  for (std::size_t i = 1; i < n; ++i) {
+    const double dx = s["x"][i].get<double>() - s["x"][i - 1].get<double>();
+    const double dy = s["y"][i].get<double>() - s["y"][i - 1].get<double>();
+    EXPECT_LE(std::hypot(dx, dy), 0.05 + 1e-9);
+    EXPECT_GE(s["t"][i].get<double>(), s["t"][i - 1].get<double>());
+    if (s["direction"][i] != s["direction"][i - 1]) {
+      EXPECT_EQ(s["s"][i], s["s"][i - 1]);
+      EXPECT_EQ(s["speed"][i], 0.0);
+    }
+  }
+  for (const char* metric : {"length", "min_clearance", "mean_clearance", "max_curvature", "max_curvature_rate", "curvature_change", "turning",
+                             "direction_changes", "collision_risk", "travel_time", "curvature_change_printed"}) {
+    EXPECT_TRUE(plan["metrics"].contains(metric)) << metric;
+  }
+  EXPECT_TRUE(plan["certificate"]["collision_free"].get<bool>());
+  EXPECT_GE(plan["certificate"]["clearance"].get<double>(), 0.05);
+}
+
+TEST_F(CommandLine, VerifyFindsWhatWasTamperedWith) {
+  ASSERT_EQ(run("plan " + example("dock_middle.json") + " -o o").status, 0);
+  const Json plan = Json::parse(slurp(folder_ / "o/plan.json"));
+  const auto verdict = [&](auto change) {
+    Json j = plan;
+    change(j);
+    std::ofstream{folder_ / "t.json"} << j.dump();
+    return run("verify t.json");
+  };
+  EXPECT_EQ(verdict([](Json&) {}).status, 0);
+  EXPECT_EQ(verdict([](Json& j) { j["certificate"]["clearance"] = 0.5; }).status, 1);
+  EXPECT_EQ(verdict([](Json& j) { j["path"]["samples"]["x"][50] = 3.0; }).status, 1);
+  EXPECT_EQ(verdict([](Json& j) { j["path"]["samples"]["speed"][50] = 9.0; }).status, 1);
+  EXPECT_EQ(verdict([](Json& j) { j["path"]["pieces"][0]["spans"][1][2][1] = 6.0; }).status, 1);
+  EXPECT_EQ(verdict([](Json& j) { j["metrics"]["length"] = 3.0; }).status, 1);
+  EXPECT_EQ(verdict([](Json& j) { j["scenario"]["clearance"] = 0.095; }).status, 1);
+  EXPECT_EQ(verdict([](Json& j) { j["scenario"]["map"]["polygons"]["obstacles"].push_back({{5, 3}, {6, 3}, {6, 4}}); }).status, 1);
+  EXPECT_EQ(verdict([](Json& j) { j["path"]["pieces"][0]["kind"] = "loop"; }).status, 2);
+  EXPECT_EQ(verdict([](Json& j) { j.erase("scenario"); }).status, 2);
+  EXPECT_EQ(verdict([](Json& j) { j["path"]["samples"]["x"].erase(3); }).status, 2);
+}
+
+TEST_F(CommandLine, ImportJudgesAnyonesPoses) {
+  ASSERT_EQ(run("plan " + example("dock_middle.json") + " -o o").status, 0);
+  const Json s = Json::parse(slurp(folder_ / "o/plan.json"))["path"]["samples"];
+  std::ofstream csv{folder_ / "p.csv"};
+  csv << "x,y,heading,direction\n";
+  csv.precision(5);
+  for (std::size_t i = 0; i < s["x"].size(); ++i) csv << s["x"][i] << ',' << s["y"][i] << ',' << s["heading"][i] << ',' << s["direction"][i] << '\n';
+  csv.close();
+  const Outcome good = run("import p.csv --scenario " + example("dock_middle.json") + " -o i");
+  EXPECT_EQ(good.status, 0) << good.out << good.err;
+  EXPECT_EQ(run("verify i/plan.json").status, 0);
+  std::ofstream{folder_ / "bad.csv"} << "x,y,heading\n9.5,7,0\n2,7,3.14159265\n";
+  EXPECT_EQ(run("import bad.csv --scenario " + example("dock_middle.json") + " -o b").status, 1);
+  std::ofstream{folder_ / "broken.csv"} << "x,y,heading\n9.5,seven,0\n2,7,3.1\n";
+  refused(run("import broken.csv --scenario " + example("dock_middle.json")), {"broken.csv", "line 2"});
+}
+
+TEST_F(CommandLine, CompareWritesTableAndPicture) {
+  const Outcome o = run("compare " + example("dock_middle.json") + " --runs 2 --planners pattern_docking,ompl_rrt_connect -o c");
+  EXPECT_EQ(o.status, 0) << o.err;
+  const std::string csv = slurp(folder_ / "c/compare.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+  EXPECT_TRUE(fs::exists(folder_ / "c/compare.svg"));
+  refused(run("compare " + example("dock_middle.json") + " --planners nobody"), {"nobody", "pattern_docking"});
+}
+
+TEST_F(CommandLine, CompareRunsAnOutsidePlanner) {
+  std::ofstream{folder_ / "p.csv"} << "x,y,heading\n9.5,7,0\n9,7,0\n";
+  const Outcome o = run("compare " + example("dock_middle.json") + " --planners 'exec:cat >/dev/null; cat p.csv' -o c");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_NE(slurp(folder_ / "c/compare.csv").find("unproven"), std::string::npos);
+  const Outcome failing = run("compare " + example("dock_middle.json") + " --planners 'exec:exit 3' -o c");
+  EXPECT_NE(slurp(folder_ / "c/compare.csv").find("ended with status 3"), std::string::npos) << failing.err;
+}
+
+TEST_F(CommandLine, ListMapAndGenerate) {
+  EXPECT_NE(run("list planners").out.find("pattern_docking"), std::string::npos);
+  EXPECT_NE(run("list pattern_docking").out.find("heading_range"), std::string::npos);
+  EXPECT_EQ(run("list").status, 0);
+  refused(run("list nonsense"), {"nonsense", "planners"});
+  EXPECT_NE(run("map " + example("warehouse.yaml") + " -o m.json").out.find("1200 × 800"), std::string::npos);
+  EXPECT_NE(run("map m.json").out.find("1200 × 800"), std::string::npos);
+  EXPECT_EQ(run("generate station --seed 3 -o a.json").status, 0);
+  EXPECT_EQ(run("generate station --seed 3 -o b.json").status, 0);
+  EXPECT_EQ(slurp(folder_ / "a.json"), slurp(folder_ / "b.json"));
+  EXPECT_EQ(run("generate warehouse -o w.yaml").status, 0);
+  EXPECT_EQ(slurp(folder_ / "w.yaml"), slurp(example("warehouse.yaml")).replace(7, 13, "w.png"));
+  refused(run("generate castle -o c.json"), {"castle", "station"});
+}
+
+TEST_F(CommandLine, UsageErrorsAreOneSentence) {
+  refused(run("plan"), {"SCENARIO"});
+  refused(run("fly"), {"fly"});
+  refused(run("plan nowhere.json"), {"nowhere.json", "no such file"});
+  refused(run("plan " + example("dock_middle.json") + " --set population"), {"KEY=VALUE"});
+  refused(run("plan " + example("dock_middle.json") + " --set wings=2"), {"wings", "evaluations"});
+  refused(run("plan " + example("dock_middle.json") + " --set evaluations=0"), {"evaluations", "1 to"});
+  refused(run("simulate " + example("dock_middle.json")), {"simulate", "not supported yet"});
+  refused(run("plan " + example("vehicles")), {"folder"});
+}
+
+TEST_F(CommandLine, BadScenariosAreOneSentenceThatNamesTheField) {
+  struct Case {
+    const char* what;
+    std::function<void(Json&)> change;
+    std::vector<std::string> words;
+  };
+  const std::vector<Case> cases{
+      {"missing", [](Json& j) { j.erase("start"); }, {"start", "missing"}},
+      {"unknown", [](Json& j) { j["clearence"] = 0.1; }, {"clearence", "clearance"}},
+      {"mistyped", [](Json& j) { j["clearance"] = "wide"; }, {"clearance", "a number"}},
+      {"negative", [](Json& j) { j["clearance"] = -0.1; }, {"clearance", "-0.1", "0 to"}},
+      {"too large", [](Json& j) { j["start"][0] = 2e6; }, {"start[0]", "2000000"}},
+      {"newer", [](Json& j) { j["format"] = "waywright-scenario/2"; }, {"format", "newer"}},
+      {"no format", [](Json& j) { j["format"] = "hello"; }, {"format"}},
+      {"crossing", [](Json& j) { j["station"]["area"] = {{0, 0}, {12, 14}, {12, 0}, {0, 14}}; }, {"station.area", "cross"}},
+      {"empty", [](Json& j) { j["map"]["polygons"]["obstacles"][0] = Json::array(); }, {"obstacles[0]", "empty"}},
+      {"flat footprint", [](Json& j) { j["vehicle"] = {{"footprint", {{0, 0}, {1, 0}, {2, 0}}}, {"drive", {{"type", "differential"}, {"track", 1}}}}; }, {"vehicle.footprint"}},
+      {"wheelbase", [](Json& j) { j["vehicle"] = {{"footprint", {{"disc", 0.3}}}, {"drive", {{"type", "tricycle"}, {"wheelbase", 0}, {"max_steering", 1}}}}; }, {"vehicle.drive.wheelbase", "above 0"}},
+      {"drive", [](Json& j) { j["vehicle"] = {{"footprint", {{"disc", 0.3}}}, {"drive", {{"type", "sledge"}}}}; }, {"sledge", "tricycle"}},
+      {"shelf outside", [](Json& j) { j["station"]["shelf"]["center"] = {-3, 7}; }, {"station.shelf", "outside"}},
+      {"gap", [](Json& j) { j["clearance"] = 0.2; }, {"station.shelf.gap", "clearance"}},
+      {"small station", [](Json& j) { j["station"]["area"] = {{0, 6.7}, {12, 6.7}, {12, 7.3}, {0, 7.3}}; j["station"]["shelf"]["size"] = {1.2, 0.4}; }, {"station.area", "wide"}},
+      {"two missions", [](Json& j) { j["goal"] = {1, 2, 3}; }, {"more than one mission"}},
+      {"no mission", [](Json& j) { j.erase("station"); }, {"mission is missing"}},
+      {"waypoints", [](Json& j) { j["waypoints"] = {{1, 2}}; }, {"waypoints", "not supported yet"}},
+      {"zones", [](Json& j) { j["zones"] = {{{"type", "forbidden"}}}; }, {"zones", "not supported yet"}},
+      {"undock", [](Json& j) { j["station"]["manoeuvre"] = "undock"; }, {"undock"}},
+      {"insertion", [](Json& j) { j["station"]["insertion"] = {{"depth", 1}}; }, {"insertion", "not supported yet"}},
+      {"planner", [](Json& j) { j["planner"] = {{"name", "oracle"}}; }, {"oracle", "pattern_docking"}},
+      {"parameter", [](Json& j) { j["planner"] = {{"name", "pattern_docking"}, {"optimizer", "luck"}}; }, {"optimizer", "luck", "de"}},
+      {"budget", [](Json& j) { j["budget"] = {{"evaluations", 0}}; }, {"budget.evaluations"}},
+      {"seed", [](Json& j) { j["seed"] = 1.5; }, {"seed", "whole"}},
+      {"map kinds", [](Json& j) { j["map"]["ros"] = "x.yaml"; }, {"kinds of map"}},
+      {"map file", [](Json& j) { j["map"] = {{"ros", "x.yaml"}}; }, {"x.yaml", "no such file"}},
+      {"vehicle file", [](Json& j) { j["vehicle"] = "gone.json"; }, {"gone.json", "no such file"}},
+      {"align", [](Json& j) { j["map"]["align"] = {{{0, 0}, {1, 1}}}; }, {"align", "two pairs"}},
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.what);
+    Json j = scenario();
+    c.change(j);
+    refused(run("plan " + write(j)), c.words);
+  }
+}
+
+TEST_F(CommandLine, BrokenJsonIsOneSentence) {
+  const auto refuse = [&](const std::string& text, const std::string& word) {
+    std::ofstream{folder_ / "s.json"} << text;
+    refused(run("plan s.json"), {"s.json", word});
+  };
+  refuse("", "not valid JSON");
+  refuse("{\"format\": ", "not valid JSON");
+  refuse("{\"format\": NaN}", "not valid JSON");
+  refuse("{\"clearance\": 1e999}", "too large");
+  refuse(std::string(100000, '['), "nested too deeply");
+  refuse("{\"seed\": 1, \"seed\": 2}", "twice");
+  refuse("[1, 2]", "object");
+  refuse(std::string("\xff\xfe\x00", 3), "not valid JSON");
+}
+
+TEST_F(CommandLine, BadMapsAreOneSentence) {
+  const auto with_map = [&](const std::string& yaml, const std::string& image) {
+    std::ofstream{folder_ / "m.yaml"} << yaml;
+    std::ofstream{folder_ / "m.pgm", std::ios::binary} << image;
+    Json j = scenario();
+    j["map"] = {{"ros", "m.yaml"}};
+    return run("plan " + write(j));
+  };
+  const std::string yaml = "image: m.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+  refused(with_map(yaml, "P5\n10 10\n255\nabc"), {"m.pgm", "cut short"});
+  refused(with_map(yaml, "P5\n30000 30000\n255\n"), {"m.pgm", "30000"});
+  refused(with_map(yaml, "hello"), {"m.pgm", "not a picture"});
+  refused(with_map("image: m.pgm\norigin: [0, 0, 0]\n", "P5\n1 1\n255\na"), {"m.yaml", "resolution"});
+  refused(with_map("a: &a [x]\nb: &b [*a, *a, *a]\nc: &c [*b, *b, *b]\n", ""), {"m.yaml", "aliases"});
+  refused(with_map(std::string(5000, '[') , ""), {"m.yaml", "deeply"});
+  refused(with_map("image: [\n", ""), {"m.yaml"});
+}
+
+TEST_F(CommandLine, RepairsAreSaid) {
+  Json j = scenario();
+  j["station"]["area"] = {{0, 0}, {0, 14}, {12, 14}, {12, 14}, {12, 0}};
+  const Outcome o = run("plan " + write(j) + " -o o");
+  EXPECT_EQ(o.status, 0) << o.err;
+  const std::string plan = slurp(folder_ / "o/plan.json");
+  EXPECT_NE(plan.find("station.area: 1 duplicate corner removed"), std::string::npos);
+  EXPECT_NE(plan.find("clockwise order reversed"), std::string::npos);
+}
+
+TEST_F(CommandLine, UnwritableFoldersAreRefusedBeforeTheWork) {
+  std::ofstream{folder_ / "file"} << "x";
+  const Outcome o = run("plan " + example("dock_middle.json") + " -o file/inside");
+  EXPECT_EQ(o.status, 2);
+  EXPECT_NE(o.err.find("cannot be made"), std::string::npos) << o.err;
+  EXPECT_EQ(run("plan " + example("dock_middle.json") + " -o /proc/waywright").status, 2);
+}
+
+TEST_F(CommandLine, InterruptKeepsWhatIsFinishedAndEndsInOrder) {
+  Json j = Json::parse(slurp(example("dock_impossible.json")));
+  j["planner"] = {{"name", "ompl_rrt_connect"}, {"checks", 900000000}};
+  const std::string file = write(j);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (::chdir(folder_.c_str()) != 0) ::_exit(9);
+    ::execl(WAYWRIGHT_BINARY, "waywright", "plan", file.c_str(), "-o", "o", static_cast<char*>(nullptr));
+    ::_exit(9);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  ::kill(child, SIGINT);
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  const Json plan = Json::parse(slurp(folder_ / "o/plan.json"));
+  EXPECT_EQ(plan["status"], "canceled");
+  EXPECT_EQ(plan["reproducible"], false);
+}
+
+TEST_F(CommandLine, StationOnARealMap) {
+  const char* data = std::getenv("WAYWRIGHT_TEST_DATA");
+  if (data == nullptr || !fs::exists(fs::path{data} / "ros_maps")) GTEST_SKIP() << "no outside data (WAYWRIGHT_TEST_DATA)";
+  struct Place {
+    const char* map;
+    double x0, y0, x1, y1, shelf_x, shelf_y;
+  };
+  for (const Place& p : {Place{"ipa_production_plant/map.yaml", 7, -2, 19.5, 11.5, 10.2, 5.2}, Place{"nav2/warehouse.yaml", -8, -3, 5.5, 11, -6.4, 4.0}}) {
+    Json j = scenario();
+    j["map"] = {{"ros", (fs::path{data} / "ros_maps" / p.map).string()}};
+    j["start"] = {p.shelf_x + 7.2, p.shelf_y, 0.0};
+    j["station"] = {{"area", {{p.x0, p.y0}, {p.x1, p.y0}, {p.x1, p.y1}, {p.x0, p.y1}}},
+                    {"shelf", {{"center", {p.shelf_x, p.shelf_y}}, {"heading", 0}, {"size", {1.0, 2.0}}, {"gap", 0.12}}}};
+    EXPECT_EQ(run("plan " + write(j) + " -o o").status, 0) << p.map;
+    EXPECT_EQ(run("verify o/plan.json").status, 0) << p.map;
+  }
+}
+
+}  // namespace
