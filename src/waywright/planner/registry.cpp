@@ -46,16 +46,16 @@ std::vector<ParameterDescription> docking_parameters(const std::string& optimize
 }
 
 PlannerDescription pattern_docking_description() {
-  std::vector<ParameterDescription> parameters = docking_parameters("lattice_search", 800.0);
+  std::vector<ParameterDescription> parameters = docking_parameters("lattice_search", 1000.0);
   const std::vector<ParameterDescription> more{
-      {.name = "heading_range", .default_value = 0.7,
+      {.name = "heading_range", .default_value = 1.0,
        .summary = "how far the heading at the transition may leave the perpendicular to the shelf's axis; 0 fixes it", .unit = "rad",
        .low = 0, .high = 1.5},
-      {.name = "start_straight", .default_value = 0.2, .summary = "straight run on leaving the start", .unit = "m", .low = 0,
+      {.name = "start_straight", .default_value = 0.0, .summary = "straight run on leaving the start", .unit = "m", .low = 0,
        .high = 20},
-      {.name = "transition_straight", .default_value = 0.2, .summary = "straight runs to and from the transition point",
+      {.name = "transition_straight", .default_value = 0.0, .summary = "straight runs to and from the transition point",
        .unit = "m", .low = 0, .high = 20},
-      {.name = "dock_straight", .default_value = 0.5, .summary = "straight run into the docked pose", .unit = "m", .low = 0,
+      {.name = "dock_straight", .default_value = 0.3, .summary = "straight run into the docked pose", .unit = "m", .low = 0,
        .high = 20},
       {.name = "fallback", .default_value = true, .summary = "ask ompl_rrt_connect where no pattern fits"},
   };

@@ -12,9 +12,9 @@ namespace waywright {
 
 /// Distances of the orientation points from the key poses, m.
 struct PatternLeads {
-  double start = 0.2;       ///< straight on leaving the start
-  double transition = 0.2;  ///< straight on arriving at and leaving the transition point
-  double dock = 0.5;        ///< straight run into the docked pose
+  double start = 0.0;       ///< straight on leaving the start
+  double transition = 0.0;  ///< straight on arriving at and leaving the transition point
+  double dock = 0.3;        ///< straight run into the docked pose
 };
 
 inline constexpr PatternLeads published_leads{1.0, 1.0, 1.5};

@@ -16,9 +16,9 @@ enum class SideChoice { both, left, right };
 enum class DockingObjective { normalised, exponential };
 
 struct PatternDockingOptions {
-  std::int64_t evaluations = 800;   ///< candidates per side, ≥ 1; a scenario's budget.evaluations is for all sides together
+  std::int64_t evaluations = 1000;  ///< candidates per side, ≥ 1; a scenario's budget.evaluations is for all sides together
   int population = 20;              ///< of optimisers that have one
-  double heading_range = 0.7;       ///< rad, the transition heading may leave the perpendicular by this; 0: two variables
+  double heading_range = 1.0;       ///< rad, the transition heading may leave the perpendicular by this; 0: two variables
   PatternLeads leads;
   DockingWeights weights;
   DockingObjective objective = DockingObjective::normalised;
