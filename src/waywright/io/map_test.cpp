@@ -1,0 +1,205 @@
+// Pictures, ROS maps, alignment, files.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "waywright/core/random.hpp"
+#include "waywright/io/files.hpp"
+#include "waywright/io/image.hpp"
+#include "waywright/io/map_io.hpp"
+#include "waywright/io/scenario_io.hpp"
+#include "waywright/map/world.hpp"
+
+namespace waywright {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Folder : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "waywright-io-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  void put(const std::string& name, const std::string& text) const { std::ofstream{folder_ / name, std::ios::binary} << text; }
+  fs::path folder_;
+};
+using RosMap = Folder;
+using Files = Folder;
+
+std::string yaml(const std::string& more = "") {
+  return "image: m.pgm\nresolution: 0.5\norigin: [1.0, 2.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n" + more;
+}
+
+/// One row of every grey value.
+std::string all_greys() {
+  std::string pgm = "P5\n# comment\n256 1\n255\n";
+  for (int i = 0; i < 256; ++i) pgm += static_cast<char>(i);
+  return pgm;
+}
+
+TEST_F(RosMap, TrinaryThresholdsForEveryGrey) {
+  put("m.pgm", all_greys());
+  for (const bool negate : {false, true}) {
+    std::string text = yaml();
+    if (negate) text.replace(text.find("negate: 0"), 9, "negate: 1");
+    put("m.yaml", text);
+    const auto loaded = load_ros_map(folder_ / "m.yaml", false);
+    ASSERT_TRUE(loaded) << loaded.error().message();
+    for (int grey = 0; grey < 256; ++grey) {
+      const double p = (negate ? grey : 255 - grey) / 255.0;
+      EXPECT_EQ(loaded->grid.blocked[static_cast<std::size_t>(grey)], p > 0.65 ? 1 : p < 0.196 ? 0 : 2) << grey;
+    }
+  }
+  // Grey 205 is unknown at 0.196 and free at 0.25, as map_server has it.
+  put("m.yaml", yaml());
+  EXPECT_EQ(load_ros_map(folder_ / "m.yaml", false)->grid.blocked[205], 2);
+  EXPECT_EQ(load_ros_map(folder_ / "m.yaml", true)->grid.blocked[205], 0);
+  std::string text = yaml();
+  text.replace(text.find("0.196"), 5, "0.25");
+  put("m.yaml", text);
+  EXPECT_EQ(load_ros_map(folder_ / "m.yaml", false)->grid.blocked[205], 0);
+}
+
+TEST_F(RosMap, TopRowIsUpAndTheOriginMayBeTurned) {
+  put("m.pgm", std::string{"P5\n2 2\n255\n"} + "\x00\xff\xff\xff"[0] + "\xff" + "\xff" + "\xff");
+  put("m.yaml", yaml());
+  auto loaded = load_ros_map(folder_ / "m.yaml", false);
+  ASSERT_TRUE(loaded);
+  Map map;
+  map.grids.push_back(loaded->grid);
+  World world{map};
+  world.build();
+  const Footprint point{{}, 0.0};
+  EXPECT_EQ(world.clearance(point, {1.25, 2.75, 0}, 1.0).clearance, 0.0);  // upper left cell
+  EXPECT_NEAR(world.clearance(point, {1.25, 2.25, 0}, 1.0).clearance, 0.25, 1e-12);
+  EXPECT_TRUE(world.clearance(point, {5.0, 5.0, 0}, 1.0).outside);
+  std::string text = yaml();
+  text.replace(text.find("[1.0, 2.0, 0.0]"), 15, "[1.0, 2.0, 1.5707963267948966]");
+  put("m.yaml", text);
+  map.grids[0] = load_ros_map(folder_ / "m.yaml", false)->grid;
+  World turned{map};
+  turned.build();
+  EXPECT_EQ(turned.clearance(point, {0.25, 2.25, 0}, 1.0).clearance, 0.0);
+}
+
+TEST_F(RosMap, PngAndPgmOfManyKindsGiveTheSamePixels) {
+  GreyImage image{3, 2, {0, 10, 200, 255, 128, 7}};
+  const auto png = decode_image(encode_png(image), "x.png");
+  ASSERT_TRUE(png);
+  EXPECT_EQ(png->pixels, image.pixels);
+  const auto ascii = decode_image("P2 # c\n3 2 # d\n255\n0 10 200\n255 128 7\n", "x.pgm");
+  ASSERT_TRUE(ascii);
+  EXPECT_EQ(ascii->pixels, image.pixels);
+  const auto deep = decode_image(std::string{"P5\n2 1\n65535\n"} + std::string{"\x00\x00\xff\xff", 4}, "x.pgm");
+  ASSERT_TRUE(deep);
+  EXPECT_EQ(deep->pixels, (std::vector<std::uint8_t>{0, 255}));
+}
+
+TEST_F(RosMap, BrokenBytesNeverCrash) {
+  // Seeded mutations of valid files: any answer but a crash or a hang.
+  put("m.pgm", "P5\n4 4\n255\n0123456789abcdef");
+  const std::string good_yaml = yaml();
+  const std::string good_pgm = "P5\n4 4\n255\n0123456789abcdef";
+  const std::string good_png = encode_png({4, 4, std::vector<std::uint8_t>(16, 77)});
+  Random random{99};
+  const auto mutated = [&](std::string text) {
+    for (auto n = random.integer(1, 6); n > 0 && !text.empty(); --n) {
+      const auto at = static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(text.size()) - 1));
+      switch (random.integer(0, 3)) {
+        case 0: text[at] = static_cast<char>(random.integer(0, 255)); break;
+        case 1: text.erase(at, static_cast<std::size_t>(random.integer(1, 8))); break;
+        case 2: text.insert(at, 1, "0123456789-[]{}&*:, \n"[random.integer(0, 20)]); break;
+        default: text.resize(at); break;
+      }
+    }
+    return text;
+  };
+  int read = 0;
+  for (int i = 0; i < 4000; ++i) {
+    read += decode_image(mutated(good_pgm), "x") ? 1 : 0;
+    read += decode_image(mutated(good_png), "x") ? 1 : 0;
+    put("f.yaml", mutated(good_yaml));
+    const auto loaded = load_ros_map(folder_ / "f.yaml", false);
+    if (!loaded) {
+      EXPECT_FALSE(loaded.error().message().empty());
+    }
+  }
+  EXPECT_GT(read, 0);
+}
+
+TEST_F(RosMap, RealMapsLoadWithTheirSizes) {
+  const char* data = std::getenv("WAYWRIGHT_TEST_DATA");
+  if (data == nullptr || !fs::exists(fs::path{data} / "ros_maps")) GTEST_SKIP() << "no outside data (WAYWRIGHT_TEST_DATA)";
+  struct Case {
+    const char* file;
+    int columns, rows;
+  };
+  for (const Case& c : {Case{"nav2/warehouse.yaml", 1006, 1674}, {"nav2/depot.yaml", 604, 307}, {"nav2/depot_speed.yaml", 604, 307}, {"ipa_factory/map.yaml", 544, 992},
+                        {"ipa_production_plant/map.yaml", 1985, 1536}, {"aulario/map.yaml", 2295, 1638}, {"aws_hospital/hospital.yaml", 531, 1164},
+                        {"stata_basement/stata_basement.yaml", 1730, 1300}, {"levine/levine.yaml", 4096, 4096}}) {
+    const auto loaded = load_ros_map(fs::path{data} / "ros_maps" / c.file, false);
+    ASSERT_TRUE(loaded) << loaded.error().message();
+    EXPECT_EQ(loaded->grid.columns, c.columns);
+    EXPECT_EQ(loaded->grid.rows, c.rows);
+    EXPECT_EQ(loaded->files.size(), 2U);
+  }
+}
+
+TEST(Align, RecoversRigidTransformsAndReportsResiduals) {
+  Random random{4};
+  for (int i = 0; i < 500; ++i) {
+    const Frame truth{Pose{random.uniform(-100, 100), random.uniform(-100, 100), random.uniform(-pi, pi)}};
+    std::vector<Vec2> from, to;
+    for (int k = 0; k < 5; ++k) {
+      from.push_back({random.uniform(-20, 20), random.uniform(-20, 20)});
+      to.push_back(truth.to_world(from.back()));
+    }
+    const auto found = align(from, to);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(shorter_turn(found->transform.heading, truth.heading()), 0.0, 1e-9);
+    EXPECT_NEAR(distance(found->transform.position(), truth.origin()), 0.0, 1e-9);
+    for (const double r : found->residuals) EXPECT_LT(r, 1e-9);
+  }
+  const auto off = align({{0, 0}, {10, 0}}, {{0, 0}, {10.2, 0}});
+  ASSERT_TRUE(off);
+  EXPECT_NEAR(off->residuals[0], 0.1, 1e-12);
+  EXPECT_FALSE(align({{0, 0}}, {{0, 0}}));
+  EXPECT_FALSE(align({{1, 1}, {1, 1}}, {{0, 0}, {2, 0}}));
+}
+
+TEST_F(Files, AppearWholeOrNotAtAll) {
+  EXPECT_TRUE(write_file(folder_ / "a" / "b.txt", "hello"));
+  EXPECT_EQ(*read_file(folder_ / "a" / "b.txt", 100), "hello");
+  EXPECT_FALSE(read_file(folder_ / "a" / "b.txt", 3));
+  EXPECT_FALSE(read_file(folder_ / "a", 100));
+  EXPECT_FALSE(write_file(folder_ / "a" / "b.txt" / "c", "x"));
+  EXPECT_FALSE(write_file(folder_ / "a", "x"));
+  std::size_t entries = 0;
+  for ([[maybe_unused]] const auto& e : fs::recursive_directory_iterator{folder_}) ++entries;
+  EXPECT_EQ(entries, 2U);  // the folder and the file: nothing half-written is left
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST_F(Files, OverlayAndAlignmentOfMaps) {
+  put("m.pgm", std::string{"P5\n4 4\n255\n"} + std::string(16, '\xff'));
+  put("m.yaml", yaml());
+  const std::string text = R"({"format": "waywright-scenario/1", "vehicle": {"footprint": {"disc": 0.1}, "drive": {"type": "differential", "track": 1}},
+    "map": {"ros": "m.yaml", "align": [[[0, 0], [10, 0]], [[1, 0], [10, 1]]],
+            "overlay": [{"polygons": {"obstacles": [[[0, 0], [1, 0], [1, 1]]]}, "transform": [5, 5, 0]}]},
+    "start": [0, 0, 0], "goal": [1, 1, 0]})";
+  const auto scenario = parse_scenario(text, "s.json", folder_);
+  ASSERT_TRUE(scenario) << scenario.error().message();
+  ASSERT_TRUE(scenario->map.alignment);
+  EXPECT_NEAR(scenario->map.alignment->transform.heading, pi / 2, 1e-12);
+  EXPECT_NEAR(scenario->map.grids[0].origin.x, 10.0 - 2.0, 1e-9);
+  EXPECT_EQ(scenario->map.obstacles[0][0], (Vec2{5, 5}));
+  EXPECT_NE(scenario->map_source.find("align_residuals"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace waywright
