@@ -145,7 +145,7 @@ TEST_F(CommandLine, VerifyFindsWhatWasTamperedWith) {
   EXPECT_EQ(verdict([](Json& j) { j["certificate"]["clearance"] = 0.5; }).status, 1);
   EXPECT_EQ(verdict([](Json& j) { j["path"]["samples"]["x"][50] = 3.0; }).status, 1);
   EXPECT_EQ(verdict([](Json& j) { j["path"]["samples"]["speed"][50] = 9.0; }).status, 1);
-  EXPECT_EQ(verdict([](Json& j) { j["path"]["pieces"][0]["spans"][1][2][1] = 6.0; }).status, 1);
+  EXPECT_EQ(verdict([](Json& j) { j["path"]["pieces"][0]["spans"][0][2][1] = 6.0; }).status, 1);
   EXPECT_EQ(verdict([](Json& j) { j["metrics"]["length"] = 3.0; }).status, 1);
   EXPECT_EQ(verdict([](Json& j) { j["scenario"]["clearance"] = 0.095; }).status, 1);
   EXPECT_EQ(verdict([](Json& j) { j["scenario"]["map"]["polygons"]["obstacles"].push_back({{5, 3}, {6, 3}, {6, 4}}); }).status, 1);
