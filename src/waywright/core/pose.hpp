@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "waywright/core/angle.hpp"
+#include "waywright/core/elementary.hpp"
 
 namespace waywright {
 
@@ -27,8 +28,11 @@ inline double norm(Vec2 a) { return std::sqrt(squared_norm(a)); }
 inline double distance(Vec2 a, Vec2 b) { return norm(a - b); }
 /// a turned by +90°.
 constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
-inline Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
-inline double angle_of(Vec2 a) { return std::atan2(a.y, a.x); }
+inline Vec2 unit(double angle) {
+  const SinCos a = sin_cos(angle);
+  return {a.cos, a.sin};
+}
+inline double angle_of(Vec2 a) { return arc_tangent(a.y, a.x); }
 inline bool is_finite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
 
 /// Position and heading of the body frame (x forward, y left) in the world frame.
@@ -51,8 +55,11 @@ inline bool is_finite(const Pose& p) {
 class Frame {
  public:
   Frame() = default;
-  explicit Frame(const Pose& pose)
-      : origin_{pose.x, pose.y}, cos_{std::cos(pose.heading)}, sin_{std::sin(pose.heading)}, heading_{pose.heading} {}
+  explicit Frame(const Pose& pose) : origin_{pose.x, pose.y}, heading_{pose.heading} {
+    const SinCos a = sin_cos(pose.heading);
+    cos_ = a.cos;
+    sin_ = a.sin;
+  }
 
   Vec2 origin() const { return origin_; }
   double heading() const { return heading_; }

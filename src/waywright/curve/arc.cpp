@@ -1,10 +1,11 @@
 #include "waywright/curve/arc.hpp"
+#include "waywright/core/elementary.hpp"
 
 #include <cmath>
 
 namespace waywright {
 
-double sinc(double x) { return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x; }
+double sinc(double x) { return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : sin_cos(x).sin / x; }
 
 CurvePoint evaluate(const Arc& arc, double s) {
   const double half = 0.5 * arc.curvature * s;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "waywright/io/map_io.hpp"
+#include "waywright/core/elementary.hpp"
 
 namespace waywright {
 
@@ -36,8 +37,8 @@ Parsed<Alignment> align(const std::vector<Vec2>& from, const std::vector<Vec2>& 
     sine += cross(from[i] - a, to[i] - b);
     spread += squared_norm(from[i] - a);
   }
-  if (!(spread > 1e-12) || !(std::hypot(cosine, sine) > 1e-12)) return refuse("the points coincide");
-  const double angle = std::atan2(sine, cosine);
+  if (!(spread > 1e-12) || !(norm({cosine, sine}) > 1e-12)) return refuse("the points coincide");
+  const double angle = arc_tangent(sine, cosine);
   const Vec2 shift = b - Frame{make_pose({}, angle)}.rotate(a);
   Alignment alignment;
   alignment.transform = make_pose(shift, wrap(angle));

@@ -5,6 +5,7 @@
 
 #include "waywright/curve/arc.hpp"
 #include "waywright/curve/bezier.hpp"
+#include "waywright/core/elementary.hpp"
 
 namespace waywright {
 namespace {
@@ -105,7 +106,7 @@ int changes_of_direction(const std::vector<Sample>& samples) {
 
 double risk(double clearance) {
   const double ratio = clearance / risk_scale;
-  return std::exp(-0.5 * ratio * ratio);
+  return exponential(-0.5 * ratio * ratio);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "waywright/objective/docking_cost.hpp"
+#include "waywright/core/elementary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +29,8 @@ double normalised_cost(const PathMeasures& path, const PathMeasures& reference, 
 
 double exponential_cost(const PathMeasures& path, const PathMeasures& reference, DockingWeights weights, double alpha,
                         double beta) {
-  return weights.curvature * std::exp(alpha * (path.curvature_change - reference.curvature_change)) +
-         weights.length * std::exp(beta * (path.length - reference.length));
+  return weights.curvature * exponential(alpha * (path.curvature_change - reference.curvature_change)) +
+         weights.length * exponential(beta * (path.length - reference.length));
 }
 
 }  // namespace waywright

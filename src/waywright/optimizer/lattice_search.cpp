@@ -15,9 +15,12 @@ class Run {
   Run(const CostFunction& cost, const SearchSpace& space, const SearchOptions& options, Budget& budget,
       const LatticeSearchOptions& tuning)
       : cost_{cost}, space_{space}, limit_{options.evaluations}, budget_{budget}, tuning_{tuning}, x_(space.dimension()) {
-    double root = 2.0;  // φ_d by fixed-point iteration
-    const auto d = static_cast<double>(space.dimension());
-    for (int i = 0; i < 64; ++i) root = std::pow(1.0 + root, 1.0 / (d + 1.0));
+    double root = 2.0;  // φ_d: Newton on x^(d+1) − x − 1 from above
+    for (int i = 0; i < 64; ++i) {
+      double power = 1.0;
+      for (std::size_t k = 0; k < space.dimension(); ++k) power *= root;
+      root -= (power * root - root - 1.0) / (static_cast<double>(space.dimension() + 1) * power - 1.0);
+    }
     double power = 1.0;
     for (std::size_t i = 0; i < space.dimension(); ++i) alpha_.push_back(power /= root);
   }

@@ -1,4 +1,5 @@
 #include "waywright/scenario/problem.hpp"
+#include "waywright/core/elementary.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,7 @@ namespace {
 /// Any point of the footprint moves by at most this when the pose is off by the error: translation plus the chord of the
 /// rotation about the origin.
 double margin_of(const PoseError& error, double radius) {
-  return std::hypot(error.lateral, error.longitudinal) + 2.0 * radius * std::sin(0.5 * std::min(error.heading, pi));
+  return norm({error.lateral, error.longitudinal}) + 2.0 * radius * sin_cos(0.5 * std::min(error.heading, pi)).sin;
 }
 
 std::optional<InputError> check_station(const Scenario& scenario, const Station& station) {

@@ -1,4 +1,5 @@
 #include "waywright/vehicle/vehicle.hpp"
+#include "waywright/core/elementary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,8 @@ double Footprint::least_width() const { return is_disc() ? 2.0 * disc : waywrigh
 double Vehicle::max_curvature() const {
   double bound = limits.curvature.value_or(std::numeric_limits<double>::infinity());
   if (const auto* tricycle = std::get_if<Tricycle>(&drive)) {
-    bound = std::min(bound, std::tan(tricycle->max_steering) / tricycle->wheelbase);
+    const SinCos steering = sin_cos(tricycle->max_steering);
+    bound = std::min(bound, steering.sin / (steering.cos * tricycle->wheelbase));
   }
   return bound;
 }
@@ -34,7 +36,7 @@ bool Vehicle::can_turn_on_the_spot() const { return !std::holds_alternative<Tric
 double Vehicle::steering_angle(double curvature) const {
   const auto* tricycle = std::get_if<Tricycle>(&drive);
   if (tricycle == nullptr) return 0.0;
-  const double angle = std::atan(tricycle->wheelbase * curvature);
+  const double angle = arc_tangent(tricycle->wheelbase * curvature, 1.0);
   return tricycle->steered_axle == SteeredAxle::rear ? -angle : angle;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "waywright/curve/bezier.hpp"
+#include "waywright/core/elementary.hpp"
 
 namespace waywright {
 namespace {
@@ -50,8 +51,8 @@ BezierSpan joining_quintic(Vec2 from, double from_course, Vec2 to, double to_cou
   const double beta = wrap(to_course - along);
   // Tangent length over chord that makes Σ|Δκ| least, fitted over symmetric turns and S-curves of up to 90° from the chord:
   // t = 1 − cos(half the turn), and the S part of the two angles.
-  const double t = 1.0 - std::cos(std::min(0.5 * std::abs(alpha - beta), 0.5 * pi));
-  const double s = 1.0 - std::cos(std::min(0.5 * std::abs(alpha + beta), 0.5 * pi));
+  const double t = 1.0 - sin_cos(std::min(0.5 * std::abs(alpha - beta), 0.5 * pi)).cos;
+  const double s = 1.0 - sin_cos(std::min(0.5 * std::abs(alpha + beta), 0.5 * pi)).cos;
   const double length = norm(chord) * (0.92 + 0.45 * t + 0.25 * t * t + 0.95 * t * t * t * t + 0.3 * s);
   return straight_ended_quintic(from, length * unit(from_course), to, length * unit(to_course));
 }

@@ -1,0 +1,133 @@
+#include "waywright/core/elementary.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace waywright {
+namespace {
+
+// π/2 and ln 2 in parts: multiples of the first parts by whole numbers under 2^20 are exact.
+constexpr double half_pi_1 = 1.5707963267341256;
+constexpr double half_pi_2 = 6.077100506303966e-11;
+constexpr double half_pi_3 = 2.0222662487959506e-21;
+constexpr double ln2_1 = 0.6931471803691238;
+constexpr double ln2_2 = 1.9082149292705877e-10;
+
+/// Taylor on [−π/4, π/4]; the first term left out is under 1e-19.
+double sin_near_zero(double x) {
+  const double z = x * x;
+  double p = 1.0 / 355687428096000.0;  // 1/17!
+  p = p * z - 1.0 / 1307674368000.0;
+  p = p * z + 1.0 / 6227020800.0;
+  p = p * z - 1.0 / 39916800.0;
+  p = p * z + 1.0 / 362880.0;
+  p = p * z - 1.0 / 5040.0;
+  p = p * z + 1.0 / 120.0;
+  p = p * z - 1.0 / 6.0;
+  return x + x * (z * p);
+}
+
+double cos_near_zero(double x) {
+  const double z = x * x;
+  double p = -1.0 / 6402373705728000.0;  // 1/18!
+  p = p * z + 1.0 / 20922789888000.0;
+  p = p * z - 1.0 / 87178291200.0;
+  p = p * z + 1.0 / 479001600.0;
+  p = p * z - 1.0 / 3628800.0;
+  p = p * z + 1.0 / 40320.0;
+  p = p * z - 1.0 / 720.0;
+  p = p * z + 1.0 / 24.0;
+  const double h = 0.5 * z;
+  const double w = 1.0 - h;
+  return w + ((1.0 - w - h) + z * z * p);  // what 1 − z/2 lost to rounding is given back
+}
+
+struct Parts {
+  double high, low;
+};
+/// atan(i/16) for i = 0…16.
+constexpr std::array<Parts, 17> atan_table{{
+    {0.0, 0.0},
+    {0.06241880999595735, -1.5490756308295046e-18},
+    {0.12435499454676144, -3.1253241424539383e-18},
+    {0.18534794999569476, 4.180692268843079e-18},
+    {0.24497866312686414, 1.0698755618734451e-17},
+    {0.3028848683749714, -1.1010827903001369e-17},
+    {0.35877067027057225, -2.4623815582638635e-17},
+    {0.4124104415973873, -1.587652227770689e-17},
+    {0.4636476090008061, 2.2698777452961687e-17},
+    {0.5123894603107377, -2.5462781472855804e-17},
+    {0.5585993153435624, -5.4556305485916264e-18},
+    {0.6022873461349642, 2.950430737228402e-17},
+    {0.6435011087932844, 1.5834785051444286e-17},
+    {0.6823165548747481, 6.943223671560008e-18},
+    {0.7188299996216245, -2.1478388444456983e-17},
+    {0.7531512809621944, -2.4256934659182068e-17},
+    {0.7853981633974483, 3.061616997868383e-17},
+}};
+
+/// atan on [0, 1]: the nearest sixteenth from the table and a short series for the rest.
+double atan_unit(double t) {
+  const double i = std::floor(16.0 * t + 0.5);
+  const double c = i / 16.0;
+  const double r = (t - c) / (1.0 + t * c);
+  const double z = r * r;
+  double p = 1.0 / 11.0;
+  p = 1.0 / 9.0 - z * p;
+  p = 1.0 / 7.0 - z * p;
+  p = 1.0 / 5.0 - z * p;
+  p = 1.0 / 3.0 - z * p;
+  const Parts& base = atan_table[static_cast<std::size_t>(i)];
+  return base.high + (r - r * (z * p) + base.low);
+}
+
+}  // namespace
+
+SinCos sin_cos(double angle) {
+  if (!(std::abs(angle) < 1e5)) {
+    if (!std::isfinite(angle)) return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+    angle = std::remainder(angle, 6.283185307179586);
+  }
+  const double k = std::floor(angle * (2.0 / 3.14159265358979323846) + 0.5);
+  const double r = ((angle - k * half_pi_1) - k * half_pi_2) - k * half_pi_3;
+  const double s = sin_near_zero(r);
+  const double c = cos_near_zero(r);
+  switch (static_cast<long>(k) & 3) {
+    case 0: return {s, c};
+    case 1: return {c, -s};
+    case 2: return {-s, -c};
+    default: return {-c, s};
+  }
+}
+
+double arc_tangent(double y, double x) {
+  if (std::isnan(x) || std::isnan(y)) return std::numeric_limits<double>::quiet_NaN();
+  const double ax = std::abs(x);
+  const double ay = std::abs(y);
+  constexpr double pi = 3.14159265358979323846;
+  constexpr double pi_low = 1.2246467991473532e-16;
+  double a = 0.0;
+  if (std::isinf(ax) || std::isinf(ay)) {
+    a = ax == ay ? 0.25 * pi : ax > ay ? 0.0 : 0.5 * pi;
+  } else if (ay > ax) {
+    a = 0.5 * pi - (atan_unit(ax / ay) - 0.5 * pi_low);
+  } else if (ax > 0.0) {
+    a = atan_unit(ay / ax);
+  }
+  if (std::signbit(x)) a = pi - (a - pi_low);
+  return std::signbit(y) ? -a : a;
+}
+
+double exponential(double x) {
+  if (std::isnan(x)) return x;
+  if (x > 709.0) return std::numeric_limits<double>::infinity();
+  if (x < -708.0) return 0.0;
+  const double k = std::floor(x * 1.4426950408889634 + 0.5);
+  const double r = (x - k * ln2_1) - k * ln2_2;
+  double p = 1.0;  // Taylor on [−ln2/2, ln2/2], Horner from 1/14!
+  for (int n = 14; n >= 1; --n) p = 1.0 + p * r / static_cast<double>(n);
+  return std::ldexp(p, static_cast<int>(k));
+}
+
+}  // namespace waywright
