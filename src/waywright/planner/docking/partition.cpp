@@ -51,6 +51,7 @@ DockingTask partition(const Problem& problem) {
   for (const Side side : {Side::left, Side::right}) {
     Zone zone;
     zone.side = side;
+    zone.of = std::holds_alternative<Station>(problem.scenario().mission) ? "shelf" : "goal";
     zone.needed = needed;
     for (Ring& polygon : clip_beside(area, -half_width, half_width, side)) {
       const double width = least_width(polygon);

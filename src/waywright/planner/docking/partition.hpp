@@ -15,6 +15,7 @@ const char* to_string(Side side);
 /// One side of the shelf, in the shelf's frame (origin in the middle of the loading face, +x out of the shelf).
 struct Zone {
   Side side = Side::left;
+  const char* of = "shelf";    ///< what it lies beside, for sentences: "shelf" or "goal"
   std::vector<Ring> polygons;  ///< where the transition point may lie; empty where the side is left out
   double width = 0.0;          ///< m, greatest least width of the side's polygons
   double needed = 0.0;         ///< m, the footprint's least width plus twice the clearance

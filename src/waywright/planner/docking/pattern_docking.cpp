@@ -98,19 +98,19 @@ SideOutcome search_side(const Problem& problem, const DockingTask& task, const Z
 }
 
 std::vector<std::string> explain(const Problem& problem, const PatternDockingOptions& options, const SideOutcome& best,
-                                 const std::vector<SideOutcome>& outcomes) {
+                                 const std::vector<SideOutcome>& outcomes, const char* of) {
   std::vector<std::string> text;
   const SideOutcome* other = nullptr;
   for (const SideOutcome& outcome : outcomes) {
     if (&outcome != &best) other = &outcome;
   }
   if (other != nullptr && other->feasible) {
-    text.push_back(fmt::format("The {} side of the shelf was chosen: its cost is {:.4f}, the {} side's {:.4f} ({:.1f} % more).",
-                               to_string(best.side), best.cost, to_string(other->side), other->cost,
+    text.push_back(fmt::format("The {} side of the {} was chosen: its cost is {:.4f}, the {} side's {:.4f} ({:.1f} % more).",
+                               to_string(best.side), of, best.cost, to_string(other->side), other->cost,
                                100.0 * (other->cost / best.cost - 1.0)));
   } else {
-    text.push_back(fmt::format("The {} side of the shelf was chosen because nothing was found on the other one.",
-                               to_string(best.side)));
+    text.push_back(fmt::format("The {} side of the {} was chosen because nothing was found on the other one.",
+                               to_string(best.side), of));
   }
   const double back = length(best.path.pieces[0]);
   const double forth = length(best.path.pieces[1]);
@@ -156,15 +156,7 @@ PlanningResult PatternDockingPlanner::plan(const Problem& problem, Budget& budge
   CandidateEvaluator evaluator{problem};
   const PathMeasures reference = reference_measures(problem, task, options_.leads, evaluator);
 
-  std::int64_t sides = 0;
-  for (const Zone& zone : task.zones) sides += !zone.left_out() && is_wanted(options_.sides, zone.side) ? 1 : 0;
-  SearchOptions search;
-  search.population = options_.population;
-  search.evaluations = options_.evaluations;
-  if (budget.limits().evaluations && sides > 0) {
-    search.evaluations = std::max<std::int64_t>(1, *budget.limits().evaluations / sides);
-  }
-
+  SearchOptions search = options_per_side(task.zones, options_.sides, options_.evaluations, options_.population, budget);
   std::vector<SideOutcome> outcomes;
   for (const Zone& zone : task.zones) {
     SideOutcome outcome;
@@ -181,7 +173,7 @@ PlanningResult PatternDockingPlanner::plan(const Problem& problem, Budget& budge
   }
 
   if (const SideOutcome* best = best_of(outcomes)) {
-    return Planned{best->path, explain(problem, options_, *best, outcomes), alternatives_of(task, outcomes, best)};
+    return Planned{best->path, explain(problem, options_, *best, outcomes, task.zones.front().of), alternatives_of(task, outcomes, best)};
   }
   PlanningFailure failure = failure_of(task, outcomes, budget);
   if (!fallback_ || budget.exhausted()) return tl::unexpected{std::move(failure)};

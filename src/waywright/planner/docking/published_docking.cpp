@@ -112,14 +112,7 @@ PublishedDockingPlanner::PublishedDockingPlanner(PublishedDockingOptions options
 PlanningResult PublishedDockingPlanner::plan(const Problem& problem, Budget& budget) const {
   DockingTask task = partition(problem);
   task.zones = published_zones(task, problem, options_.least_side);
-  std::int64_t sides = 0;
-  for (const Zone& zone : task.zones) sides += !zone.left_out() && is_wanted(options_.sides, zone.side) ? 1 : 0;
-  SearchOptions search;
-  search.population = options_.population;
-  search.evaluations = options_.evaluations;
-  if (budget.limits().evaluations && sides > 0) {
-    search.evaluations = std::max<std::int64_t>(1, *budget.limits().evaluations / sides);
-  }
+  SearchOptions search = options_per_side(task.zones, options_.sides, options_.evaluations, options_.population, budget);
 
   std::vector<SideOutcome> outcomes;
   for (const Zone& zone : task.zones) {

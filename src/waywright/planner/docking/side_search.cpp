@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace waywright {
@@ -37,14 +38,26 @@ bool is_wanted(SideChoice choice, Side side) {
   return choice == SideChoice::both || (choice == SideChoice::left) == (side == Side::left);
 }
 
+SearchOptions options_per_side(const std::vector<Zone>& zones, SideChoice sides, std::int64_t evaluations, int population,
+                               const Budget& budget) {
+  SearchOptions options;
+  options.population = population;
+  options.evaluations = evaluations;
+  const auto searched = std::count_if(zones.begin(), zones.end(), [&](const Zone& z) { return !z.left_out() && is_wanted(sides, z.side); });
+  if (budget.limits().evaluations && searched > 0) {
+    options.evaluations = std::max<std::int64_t>(1, *budget.limits().evaluations / searched);
+  }
+  return options;
+}
+
 std::string left_out_sentence(const Zone& zone) {
   if (zone.width == 0.0) {
-    return fmt::format("The {} side of the shelf was left out: the station has no free area there.", to_string(zone.side));
+    return fmt::format("The {} side of the {} was left out: there is no free area.", to_string(zone.side), zone.of);
   }
   return fmt::format(
-      "The {} side of the shelf was left out: it is {:.3f} m wide, and the footprint's least width with the clearance on both "
+      "The {} side of the {} was left out: it is {:.3f} m wide, and the footprint's least width with the clearance on both "
       "sides is {:.3f} m; {:.3f} m are missing.",
-      to_string(zone.side), zone.width, zone.needed, zone.needed - zone.width);
+      to_string(zone.side), zone.of, zone.width, zone.needed, zone.needed - zone.width);
 }
 
 std::vector<Pose> sketch(const Path& path) {

@@ -19,6 +19,10 @@ Pose transition_pose(const DockingTask& task, const Zone& zone, std::span<const 
 
 bool is_wanted(SideChoice choice, Side side);
 
+/// Work for the search on one side: `evaluations`, or an equal share of the scenario's budget for all sides that are searched.
+SearchOptions options_per_side(const std::vector<Zone>& zones, SideChoice sides, std::int64_t evaluations, int population,
+                               const Budget& budget);
+
 /// Why a side was left out, with figures.
 std::string left_out_sentence(const Zone& zone);
 
