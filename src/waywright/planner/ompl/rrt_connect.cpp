@@ -270,15 +270,16 @@ PlanningResult RrtConnectPlanner::plan(const Problem& problem, Budget& budget) c
   const double metres = length(planned.path);
   alternative.chosen = true;
   alternative.cost = metres;
-  alternative.outcome = fmt::format("{:.2f} m, {} changes of direction", metres, counts.direction_changes);
+  const std::string changes = fmt::format("{} change{} of direction", counts.direction_changes, counts.direction_changes == 1 ? "" : "s");
+  alternative.outcome = fmt::format("{:.2f} m, {}", metres, changes);
   for (const Sample& s : sample(planned.path, 0.0, 0.01, 0.12)) alternative.poses.push_back(s.pose());
   planned.explanation.push_back(
       fmt::format("RRTConnect in the Reeds-Shepp space (turning radius {:.3f} m) found a path of {:.2f} m, {:.2f} m after "
-                  "simplification, with {} changes of direction, in {} footprint placements.",
-                  radius, length(first), metres, counts.direction_changes, test.placements()));
+                  "simplification, with {}, in {} footprint placements.",
+                  radius, length(first), metres, changes, test.placements()));
   if (counts.stops_to_steer > 0) {
-    planned.explanation.push_back(fmt::format("Its curvature jumps at {} joints; a vehicle whose steering takes time stops there.",
-                                              counts.stops_to_steer));
+    planned.explanation.push_back(fmt::format("Its curvature jumps at {} joint{} on the way; a vehicle whose steering takes time stops there.",
+                                              counts.stops_to_steer, counts.stops_to_steer == 1 ? "" : "s"));
   }
   planned.alternatives.push_back(std::move(alternative));
   return planned;
