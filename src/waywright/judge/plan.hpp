@@ -19,7 +19,7 @@ struct Timing {
 };
 
 struct Effort {
-  std::int64_t evaluations = 0;  ///< candidate paths, or states checked by a sampling planner
+  std::int64_t evaluations = 0;  ///< candidate paths; of a sampling planner: candidate motions
 };
 
 /// Something that was tried and not taken (or taken): a side, a form, a second choice.

@@ -1,0 +1,278 @@
+#include "waywright/planner/ompl/reeds_shepp.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "waywright/core/elementary.hpp"
+#include "waywright/curve/arc.hpp"
+
+namespace waywright {
+namespace {
+
+constexpr double least_segment = 1e-10;  // m: what is shorter is rounding of the words' angles, not a piece
+constexpr double least_part = 1e-9;      // m
+constexpr double sign_slack = 1e-12;     // radii: a length of the wrong sign by no more is 0
+constexpr double least_gain = 1e-11;     // radii: a longer word of no less length is no better
+
+constexpr int left = 1, right = -1, straight = 0;
+
+/// A goal in the frame of the start, in radii, its heading with sine and cosine.
+struct Target {
+  double x, y, heading, sin, cos;
+
+  /// Words to the mirrored goals are words to the goal with lengths of the other sign (time < 0: x axis
+  /// turned about) or with left and right exchanged (side < 0: y axis turned about).
+  Target mirrored(int time, int side) const {
+    const double turn = time * side;
+    return {time * x, side * y, turn * heading, turn * sin, cos};
+  }
+  /// Words to it are words to the goal in the opposite order.
+  Target reversed() const { return {x * cos + y * sin, x * sin - y * cos, heading, sin, cos}; }
+};
+
+struct Polar {
+  double r, angle;
+};
+Polar polar(double x, double y) { return {norm({x, y}), arc_tangent(y, x)}; }
+double arc_cosine(double c) { return arc_tangent(std::sqrt((1.0 - c) * (1.0 + c)), c); }
+double arc_sine(double s) { return arc_tangent(s, std::sqrt((1.0 - s) * (1.0 + s))); }
+
+/// Collects the shortest word over all families and symmetries.
+class Search {
+ public:
+  explicit Search(const Target& goal) {
+    // Words with few parts first: later ones have to be shorter.
+    for_each_symmetry(goal, [this](const Target& g) {
+      if (!reverse_) turn_straight_turn(g);
+      three_turns(g);
+    });
+    for_each_symmetry(goal, [this](const Target& g) {
+      two_turns_straight_turn(g);
+      if (reverse_) return;
+      four_turns(g);
+      two_turns_straight_two_turns(g);
+    });
+  }
+  const ReedsSheppWord& best() const { return best_; }
+
+ private:
+  template <class Families>
+  void for_each_symmetry(const Target& goal, const Families& families) {
+    for (const bool reverse : {false, true}) {
+      for (const int time : {1, -1}) {
+        for (const int side : {1, -1}) {
+          reverse_ = reverse;
+          time_ = time;
+          side_ = side;
+          families((reverse ? goal.reversed() : goal).mirrored(time, side));
+        }
+      }
+    }
+  }
+
+  void offer(std::initializer_list<ReedsSheppWord::Part> parts) {
+    double length = 0.0;
+    for (const auto& part : parts) length += std::abs(part.length);
+    if (best_.count > 0 && length >= best_.length - least_gain) return;
+    best_.length = length;
+    best_.count = parts.size();
+    std::size_t i = reverse_ ? parts.size() : 0;
+    for (const auto& part : parts) {
+      best_.parts[reverse_ ? --i : i++] = {side_ * part.side, time_ * part.length};
+    }
+  }
+
+  void turn_straight_turn(const Target& g) {
+    {  // 8.1: L+ S+ L+
+      const auto [u, t] = polar(g.x - g.sin, g.y - 1.0 + g.cos);
+      const double v = wrap(g.heading - t);
+      if (t >= -sign_slack && v >= -sign_slack) offer({{left, t}, {straight, u}, {left, v}});
+    }
+    {  // 8.2: L+ S+ R+
+      const auto [r, angle] = polar(g.x + g.sin, g.y - 1.0 - g.cos);
+      if (r < 2.0) return;
+      const double u = std::sqrt((r - 2.0) * (r + 2.0));
+      const double t = wrap(angle + arc_tangent(2.0, u));
+      const double v = wrap(t - g.heading);
+      if (t >= -sign_slack && v >= -sign_slack) offer({{left, t}, {straight, u}, {right, v}});
+    }
+  }
+
+  void three_turns(const Target& g) {  // 8.3, 8.4: L+ R− L±
+    const auto [r, angle] = polar(g.x - g.sin, g.y - 1.0 + g.cos);
+    if (r > 4.0) return;
+    const double u = -2.0 * arc_sine(0.25 * r);
+    const double t = wrap(angle + 0.5 * u + pi);
+    const double v = wrap(g.heading - t + u);
+    if (t >= -sign_slack) offer({{left, t}, {right, u}, {left, v}});
+  }
+
+  void two_turns_straight_turn(const Target& g) {
+    {  // 8.9: L+ R−(π/2) S− L−
+      const auto [r, angle] = polar(g.x - g.sin, g.y - 1.0 + g.cos);
+      if (r >= 2.0) {
+        const double chord = std::sqrt((r - 2.0) * (r + 2.0));
+        const double u = 2.0 - chord;
+        const double t = wrap(angle + arc_tangent(chord, -2.0));
+        const double v = wrap(g.heading - 0.5 * pi - t);
+        if (t >= -sign_slack && u <= sign_slack && v <= sign_slack) {
+          offer({{left, t}, {right, -0.5 * pi}, {straight, u}, {left, v}});
+        }
+      }
+    }
+    {  // 8.10: L+ R−(π/2) S− R−
+      const auto [r, t] = polar(1.0 + g.cos - g.y, g.x + g.sin);
+      const double u = 2.0 - r;
+      const double v = wrap(t + 0.5 * pi - g.heading);
+      if (t >= -sign_slack && u <= sign_slack && v <= sign_slack) {
+        offer({{left, t}, {right, -0.5 * pi}, {straight, u}, {right, v}});
+      }
+    }
+  }
+
+  /// First and last turn of a word of four turns whose inner ones are u and v (the paper's τ and ω).
+  static std::pair<double, double> outer_turns(double u, double v, double xi, double eta, double heading) {
+    const SinCos of_u = sin_cos(u);
+    const SinCos of_v = sin_cos(v);
+    const SinCos of_d = sin_cos(wrap(u - v));
+    const double a = of_u.sin - of_d.sin;
+    const double b = of_u.cos - of_d.cos - 1.0;
+    const double angle = arc_tangent(eta * a - xi * b, xi * a + eta * b);
+    const double tau = wrap(2.0 * (of_d.cos - of_v.cos - of_u.cos) + 3.0 < 0.0 ? angle + pi : angle);
+    return {tau, wrap(tau - u + v - heading)};
+  }
+
+  void four_turns(const Target& g) {
+    const double xi = g.x + g.sin;
+    const double eta = g.y - 1.0 - g.cos;
+    const double squared = xi * xi + eta * eta;
+    if (const double rho = 0.25 * (2.0 + std::sqrt(squared)); rho <= 1.0) {  // 8.7: L+ R+(u) L−(u) R−
+      const double u = arc_cosine(rho);
+      const auto [t, v] = outer_turns(u, -u, xi, eta, g.heading);
+      if (t >= -sign_slack && v <= sign_slack) offer({{left, t}, {right, u}, {left, -u}, {right, v}});
+    }
+    if (const double rho = (20.0 - squared) / 16.0; rho >= 0.0 && rho <= 1.0) {  // 8.8: L+ R−(u) L−(u) R+
+      const double u = -arc_cosine(rho);
+      const auto [t, v] = outer_turns(u, u, xi, eta, g.heading);
+      if (t >= -sign_slack && v >= -sign_slack) offer({{left, t}, {right, u}, {left, u}, {right, v}});
+    }
+  }
+
+  void two_turns_straight_two_turns(const Target& g) {  // 8.11: L+ R−(π/2) S− L−(π/2) R+
+    const double xi = g.x + g.sin;
+    const double eta = g.y - 1.0 - g.cos;
+    const double r = norm({xi, eta});
+    if (r < 2.0) return;
+    const double u = 4.0 - std::sqrt((r - 2.0) * (r + 2.0));
+    if (u > sign_slack) return;
+    const double t = wrap(arc_tangent((4.0 - u) * xi - 2.0 * eta, -2.0 * xi + (u - 4.0) * eta));
+    const double v = wrap(t - g.heading);
+    if (t >= -sign_slack && v >= -sign_slack) {
+      offer({{left, t}, {right, -0.5 * pi}, {straight, u}, {left, -0.5 * pi}, {right, v}});
+    }
+  }
+
+  int time_ = 1;
+  int side_ = 1;
+  bool reverse_ = false;
+  ReedsSheppWord best_;
+};
+
+Pose facing(const CurvePoint& point, int direction) {
+  return make_pose(point.position, direction < 0 ? wrap(point.course + pi) : point.course);
+}
+
+CurvePoint evaluate(const Piece& piece, double s) {
+  if (const auto* arc = std::get_if<Arc>(&piece.curve)) return waywright::evaluate(*arc, s);
+  return waywright::evaluate(std::get<Line>(piece.curve), s);
+}
+
+Piece cut(const Piece& piece, double begin, double end) {
+  const CurvePoint start = evaluate(piece, begin);
+  if (const auto* arc = std::get_if<Arc>(&piece.curve)) {
+    return {Arc{make_pose(start.position, start.course), arc->curvature, end - begin}, piece.direction};
+  }
+  return {Line{start.position, evaluate(piece, end).position}, piece.direction};
+}
+
+bool goes_on(const Piece& a, const Piece& b) {
+  if (a.direction != b.direction || a.curve.index() != b.curve.index()) return false;
+  const auto* arc = std::get_if<Arc>(&a.curve);
+  return arc == nullptr || arc->curvature == std::get<Arc>(b.curve).curvature;
+}
+
+}  // namespace
+
+ReedsSheppWord ReedsShepp::shortest(const Pose& from, const Pose& to) const {
+  const Vec2 there = (1.0 / radius_) * Frame{from}.unrotate(to.position() - from.position());
+  const double heading = shorter_turn(from.heading, to.heading);
+  const SinCos of_heading = sin_cos(heading);
+  return Search{{there.x, there.y, heading, of_heading.sin, of_heading.cos}}.best();
+}
+
+std::vector<Piece> ReedsShepp::between(const Pose& from, const Pose& to) const {
+  const ReedsSheppWord word = shortest(from, to);
+  std::vector<Piece> pieces;
+  Pose pose = from;
+  for (std::size_t i = 0; i < word.count; ++i) {
+    const double metres = radius_ * std::abs(word.parts[i].length);
+    if (metres < least_segment) continue;
+    Piece piece;
+    piece.direction = word.parts[i].length > 0.0 ? 1 : -1;
+    const Pose start =
+        make_pose(pose.position(), piece.direction > 0 ? pose.heading : wrap(pose.heading + pi));
+    if (word.parts[i].side == straight) {
+      const Line line{start.position(), start.position() + metres * unit(start.heading)};
+      piece.curve = line;
+      pose = make_pose(line.to, pose.heading);  // that of two near points far from the origin is worse
+    } else {
+      // Curvature in the direction of travel: a left curve driven backwards bends the course to the right.
+      piece.curve = Arc{start, static_cast<double>(word.parts[i].side * piece.direction) / radius_, metres};
+      pose = end_pose(piece);
+    }
+    append_merged(pieces, piece);
+  }
+  return pieces;
+}
+
+void append_merged(std::vector<Piece>& pieces, const Piece& piece) {
+  if (pieces.empty() || !goes_on(pieces.back(), piece)) {
+    pieces.push_back(piece);
+    return;
+  }
+  Curve& last = pieces.back().curve;
+  if (auto* arc = std::get_if<Arc>(&last)) {
+    arc->length += std::get<Arc>(piece.curve).length;
+  } else {
+    std::get<Line>(last).to = std::get<Line>(piece.curve).to;
+  }
+}
+
+std::vector<Piece> part_of(const std::vector<Piece>& pieces, double begin, double end) {
+  std::vector<Piece> part;
+  double before = 0.0;
+  for (const Piece& piece : pieces) {
+    const double metres = length(piece);
+    const double from = std::clamp(begin - before, 0.0, metres);
+    const double to = std::clamp(end - before, 0.0, metres);
+    if (from <= 0.0 && to >= metres) {
+      part.push_back(piece);
+    } else if (to - from >= least_part) {
+      part.push_back(cut(piece, from, to));
+    }
+    before += metres;
+  }
+  return part;
+}
+
+Pose pose_at(const std::vector<Piece>& pieces, double s) {
+  for (const Piece& piece : pieces) {
+    const double metres = length(piece);
+    if (s <= metres) return facing(evaluate(piece, std::max(0.0, s)), piece.direction);
+    s -= metres;
+  }
+  return end_pose(pieces.back());
+}
+
+}  // namespace waywright
