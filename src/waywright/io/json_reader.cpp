@@ -3,57 +3,62 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <set>
 
 namespace waywright {
 namespace {
 
-constexpr std::size_t deepest = 64;
+constexpr std::size_t longest_hint = 64;    // bytes of a field's name that a hint is looked for
+constexpr std::size_t longest_name = 4096;  // bytes of a file name
+constexpr double largest_angle = 1e6;       // rad; beyond it a wrapped angle has lost too many digits
+constexpr double largest_whole = 9007199254740992.0;  // 2^53: whole numbers up to it are exact as doubles
 
-/// Edit distance, for "did you mean".
-std::size_t distance_of(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
+/// Edits (a letter more, less, another, or two swapped) from one word to another.
+std::size_t edits_between(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1), row(b.size() + 1), next(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t corner = row[0];
-    row[0] = i;
+    next[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, corner + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      corner = above;
+      next[j] = std::min({row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        next[j] = std::min(next[j], before[j - 2] + 1);
     }
+    std::swap(before, row);
+    std::swap(row, next);
   }
   return row[b.size()];
 }
 
-/// Brackets are counted before parsing: a parser's own stack must not depend on the data.
-bool too_deep(const std::string& text) {
-  std::size_t depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      else if (c == '"') in_string = false;
-      continue;
+/// The word that was meant, where one is near: one edit for short words, up to three for long ones, never
+/// most of the letters.
+std::string nearest_of(const std::string& word, std::initializer_list<const char*> known) {
+  if (word.size() > longest_hint) return {};
+  std::string nearest;
+  std::size_t least = std::min({std::size_t{3}, word.size() / 2, 1 + word.size() / 5}) + 1;
+  for (const char* k : known) {
+    if (const std::size_t d = edits_between(word, k); d < least) {
+      least = d;
+      nearest = k;
     }
-    if (c == '"') in_string = true;
-    if ((c == '{' || c == '[') && ++depth > deepest) return true;
-    if ((c == '}' || c == ']') && depth > 0) --depth;
   }
-  return false;
+  return nearest;
 }
 
-std::string shortened(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7E) c = '?';
-  }
-  return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+std::string list_of(std::initializer_list<const char*> words) {
+  std::string list;
+  for (const char* w : words) list += (list.empty() ? "" : ", ") + std::string{w};
+  return list;
 }
 
 std::string child(const std::string& path, std::string_view field) {
   return path.empty() ? std::string{field} : path + "." + std::string{field};
+}
+
+const Json& nothing() {
+  static const Json null;
+  return null;
 }
 
 }  // namespace
@@ -61,46 +66,29 @@ std::string child(const std::string& path, std::string_view field) {
 std::string kind_of(const Json& json) {
   if (json.is_number()) return "a number";
   if (json.is_string()) return "text";
-  if (json.is_boolean()) return "true or false";
+  if (json.is_boolean()) return json.get<bool>() ? "true" : "false";
   if (json.is_array()) return "an array";
   if (json.is_object()) return "an object";
   return "null";
 }
 
-void ReadContext::fail(const std::string& field, std::string problem, std::string allowed) {
-  if (!error) error = InputError{file, field, std::move(problem), std::move(allowed)};
+std::string shortened(const std::string& text) {
+  constexpr std::size_t most = 60;
+  std::string out = text.substr(0, most);
+  if (text.size() > most) {
+    // Not in the middle of a character of several bytes.
+    while (!out.empty() && (static_cast<unsigned char>(out.back()) & 0xC0U) == 0x80U) out.pop_back();
+    if (!out.empty() && static_cast<unsigned char>(out.back()) >= 0xC0U) out.pop_back();
+    out += "...";
+  }
+  for (char& c : out) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+  }
+  return out;
 }
 
-Parsed<Json> parse_json(const std::string& text, const std::string& name) {
-  if (too_deep(text)) {
-    return tl::unexpected{InputError{name, "", "the JSON is nested too deeply", fmt::format("at most {} levels", deepest)}};
-  }
-  std::vector<std::set<std::string>> keys;
-  std::optional<std::string> duplicate;
-  const auto watch = [&](int, Json::parse_event_t event, Json& value) {
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end && !keys.empty()) keys.pop_back();
-    if (event == Json::parse_event_t::key && !keys.empty() && !duplicate) {
-      const std::string key = value.get<std::string>();
-      if (!keys.back().insert(key).second) duplicate = key;
-    }
-    return true;
-  };
-  try {
-    Json json = Json::parse(text, watch);
-    if (duplicate) {
-      return tl::unexpected{InputError{name, shortened(*duplicate), "the field stands twice in one object", "once"}};
-    }
-    return json;
-  } catch (const nlohmann::json::parse_error& e) {
-    const auto end = std::min(text.size(), static_cast<std::size_t>(e.byte));
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-    return tl::unexpected{InputError{name, "", fmt::format("not valid JSON near line {}", line), ""}};
-  } catch (const nlohmann::json::out_of_range&) {
-    return tl::unexpected{InputError{name, "", "a number is too large", "finite numbers"}};
-  } catch (const nlohmann::json::exception&) {
-    return tl::unexpected{InputError{name, "", "not valid JSON", ""}};
-  }
+void ReadContext::fail(const std::string& field, std::string problem, std::string allowed) {
+  if (!error) error = InputError{file, field, std::move(problem), std::move(allowed)};
 }
 
 bool Node::is_object_of(std::initializer_list<const char*> fields) const {
@@ -108,40 +96,36 @@ bool Node::is_object_of(std::initializer_list<const char*> fields) const {
     fail(fmt::format("it is {}", kind_of(*json_)), "an object");
     return false;
   }
-  for (const auto& [key, value] : json_->items()) {
+  for (const auto& [key, value] : json_->get_ref<const Json::object_t&>()) {
     if (std::any_of(fields.begin(), fields.end(), [&k = key](const char* f) { return k == f; })) continue;
-    std::string allowed;
-    std::string nearest;
-    std::size_t least = 3;
-    for (const char* f : fields) {
-      allowed += (allowed.empty() ? "" : ", ") + std::string{f};
-      if (const std::size_t d = distance_of(key, f); d < least) {
-        least = d;
-        nearest = f;
-      }
-    }
-    context_->fail(child(path_, shortened(key)),
-                   nearest.empty() ? "unknown field" : fmt::format("unknown field, did you mean \"{}\"?", nearest), allowed);
+    const std::string nearest = nearest_of(key, fields);
+    context_->fail(
+        child(path_, shortened(key)),
+        nearest.empty() ? "unknown field" : fmt::format("unknown field, did you mean \"{}\"?", nearest),
+        list_of(fields));
     return false;
   }
   return true;
 }
 
 Node Node::at(const char* field) const {
-  static const Json nothing;
-  if (!json_->is_object() || !json_->contains(field)) {
-    context_->fail(child(path_, field), "the field is missing");
-    return Node{nothing, child(path_, field), *context_};
+  if (!json_->is_object()) {
+    fail(fmt::format("it is {}", kind_of(*json_)), "an object");
+    return Node{nothing(), child(path_, field), *context_};
   }
-  return Node{(*json_)[field], child(path_, field), *context_};
+  const auto found = json_->find(field);
+  if (found == json_->end()) {
+    context_->fail(child(path_, field), "the field is missing");
+    return Node{nothing(), child(path_, field), *context_};
+  }
+  return Node{*found, child(path_, field), *context_};
 }
 
 Node Node::at(std::size_t index) const {
-  static const Json nothing;
   std::string path = fmt::format("{}[{}]", path_, index);
   if (!json_->is_array() || index >= json_->size()) {
     context_->fail(path, "the element is missing");
-    return Node{nothing, std::move(path), *context_};
+    return Node{nothing(), std::move(path), *context_};
   }
   return Node{(*json_)[index], std::move(path), *context_};
 }
@@ -157,9 +141,24 @@ std::vector<Node> Node::elements() const {
   return nodes;
 }
 
+std::vector<std::pair<std::string, Node>> Node::members(const char* what) const {
+  std::vector<std::pair<std::string, Node>> nodes;
+  if (!json_->is_object()) {
+    fail(fmt::format("it is {}", kind_of(*json_)), what);
+    return nodes;
+  }
+  nodes.reserve(json_->size());
+  for (const auto& [key, value] : json_->get_ref<const Json::object_t&>()) {
+    nodes.emplace_back(key, Node{value, child(path_, shortened(key)), *context_});
+  }
+  return nodes;
+}
+
 bool Node::is_array_of(std::size_t n, const char* what) const {
   if (json_->is_array() && json_->size() == n) return true;
-  fail(json_->is_array() ? fmt::format("it has {} elements", json_->size()) : fmt::format("it is {}", kind_of(*json_)), what);
+  fail(json_->is_array() ? fmt::format("it has {} element{}", json_->size(), json_->size() == 1 ? "" : "s")
+                         : fmt::format("it is {}", kind_of(*json_)),
+       what);
   return false;
 }
 
@@ -177,19 +176,44 @@ double Node::number(double low, double high) const {
 }
 
 double Node::number_above(double low, double high) const {
-  const double value = number(low, high);
-  if (!failed() && value <= low) fail(fmt::format("{} is out of range", value), fmt::format("above {}, at most {}", low, high));
-  return value;
+  if (json_->is_number() && !(json_->get<double>() > low && json_->get<double>() <= high)) {
+    fail(fmt::format("{} is out of range", json_->get<double>()),
+         fmt::format("above {}, at most {}", low, high));
+    return high;
+  }
+  return number(low, high);
+}
+
+double Node::number_between(double low, double high) const {
+  if (json_->is_number() && !(json_->get<double>() > low && json_->get<double>() < high)) {
+    fail(fmt::format("{} is out of range", json_->get<double>()),
+         fmt::format("above {}, under {}", low, high));
+    return 0.5 * (low + high);
+  }
+  return number(low, high);
 }
 
 std::int64_t Node::integer(std::int64_t low, std::int64_t high) const {
-  if (json_->is_number_integer()) {
-    const bool fits = !json_->is_number_unsigned() || json_->get<std::uint64_t>() <= static_cast<std::uint64_t>(INT64_MAX);
-    if (fits && json_->get<std::int64_t>() >= low && json_->get<std::int64_t>() <= high) return json_->get<std::int64_t>();
-    fail("the number is out of range", fmt::format("{} to {}", low, high));
+  if (!json_->is_number()) {
+    fail(fmt::format("it is {}", kind_of(*json_)), "a whole number");
     return low;
   }
-  fail(json_->is_number() ? "it is not a whole number" : fmt::format("it is {}", kind_of(*json_)), "a whole number");
+  std::optional<std::int64_t> value;
+  if (json_->is_number_unsigned()) {
+    if (json_->get<std::uint64_t>() <= static_cast<std::uint64_t>(INT64_MAX))
+      value = json_->get<std::int64_t>();
+  } else if (json_->is_number_integer()) {
+    value = json_->get<std::int64_t>();
+  } else {
+    const double given = json_->get<double>();  // 1e3 and 1000.0 are whole numbers too
+    if (!(std::floor(given) == given)) {
+      fail(fmt::format("{} is not a whole number", given), "a whole number");
+      return low;
+    }
+    if (std::abs(given) <= largest_whole) value = static_cast<std::int64_t>(given);
+  }
+  if (value && *value >= low && *value <= high) return *value;
+  fail(fmt::format("{} is out of range", json_->dump()), fmt::format("{} to {}", low, high));
   return low;
 }
 
@@ -205,15 +229,114 @@ std::string Node::text() const {
   return {};
 }
 
-Vec2 Node::point() const {
-  if (!is_array_of(2, "[x, y]")) return {};
-  return {at(std::size_t{0}).number(-largest_coordinate, largest_coordinate), at(1).number(-largest_coordinate, largest_coordinate)};
+std::string Node::word(std::initializer_list<const char*> words) const {
+  const std::string given = text();
+  if (failed() || std::any_of(words.begin(), words.end(), [&](const char* w) { return given == w; }))
+    return given;
+  const std::string nearest = nearest_of(given, words);
+  fail(fmt::format("\"{}\" is not known{}", shortened(given),
+                   nearest.empty() ? "" : ", did you mean \"" + nearest + "\"?"),
+       list_of(words));
+  return given;
 }
 
-Pose Node::pose() const {
+std::string Node::file_name() const {
+  std::string name = text();
+  if (failed()) return {};
+  const auto control = [](unsigned char c) { return c < 0x20 || c == 0x7F; };
+  if (name.empty() || name.size() > longest_name || std::any_of(name.begin(), name.end(), control)) {
+    fail(name.empty() ? "the file name is empty" : fmt::format("\"{}\" is not a file name", shortened(name)),
+         "a file name");
+    return {};
+  }
+  return name;
+}
+
+/// n numbers within ±most (the third an angle), without building the names of their places.
+template <std::size_t n>
+bool Node::plain(std::array<double, n>& values, double most) const {
+  if (!json_->is_array() || json_->size() != n) return false;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Json& value = (*json_)[i];
+    if (!value.is_number()) return false;
+    values[i] = value.get<double>();
+    if (!(std::abs(values[i]) <= (i < 2 ? most : largest_angle))) return false;
+  }
+  return true;
+}
+
+Vec2 Node::point(double most) const {
+  std::array<double, 2> v{};
+  if (plain(v, most)) return {v[0], v[1]};
+  if (!is_array_of(2, "[x, y]")) return {};
+  for (std::size_t i = 0; i < 2; ++i) at(i).number(-most, most);
+  return {};
+}
+
+Pose Node::pose(double most) const {
+  std::array<double, 3> v{};
+  if (plain(v, most)) return {v[0], v[1], wrap(v[2])};
   if (!is_array_of(3, "[x, y, heading]")) return {};
-  return {at(std::size_t{0}).number(-largest_coordinate, largest_coordinate), at(1).number(-largest_coordinate, largest_coordinate),
-          wrap(at(2).number(-1e6, 1e6))};
+  for (std::size_t i = 0; i < 3; ++i)
+    at(i).number(i < 2 ? -most : -largest_angle, i < 2 ? most : largest_angle);
+  return {};
+}
+
+std::vector<Vec2> Node::points(double most) const {
+  std::vector<Vec2> values;
+  if (!json_->is_array()) {
+    fail(fmt::format("it is {}", kind_of(*json_)), "an array of points [x, y]");
+    return values;
+  }
+  values.reserve(json_->size());
+  std::array<double, 2> v{};
+  for (std::size_t i = 0; i < json_->size(); ++i) {
+    const Node element{(*json_)[i], {}, *context_};
+    if (!element.plain(v, most)) {
+      at(i).point(most);  // again, to say what is wrong and where
+      return {};
+    }
+    values.push_back({v[0], v[1]});
+  }
+  return values;
+}
+
+std::vector<Pose> Node::poses(double most) const {
+  std::vector<Pose> values;
+  if (!json_->is_array()) {
+    fail(fmt::format("it is {}", kind_of(*json_)), "an array of poses [x, y, heading]");
+    return values;
+  }
+  values.reserve(json_->size());
+  std::array<double, 3> v{};
+  for (std::size_t i = 0; i < json_->size(); ++i) {
+    const Node element{(*json_)[i], {}, *context_};
+    if (!element.plain(v, most)) {
+      at(i).pose(most);
+      return {};
+    }
+    values.push_back({v[0], v[1], wrap(v[2])});
+  }
+  return values;
+}
+
+std::vector<double> Node::numbers(double low, double high) const {
+  std::vector<double> values;
+  if (!json_->is_array()) {
+    fail(fmt::format("it is {}", kind_of(*json_)), "an array of numbers");
+    return values;
+  }
+  values.reserve(json_->size());
+  for (std::size_t i = 0; i < json_->size(); ++i) {
+    const Json& value = (*json_)[i];
+    const double v = value.is_number() ? value.get<double>() : low;
+    if (!value.is_number() || !(v >= low && v <= high)) {
+      at(i).number(low, high);
+      return {};
+    }
+    values.push_back(v);
+  }
+  return values;
 }
 
 }  // namespace waywright

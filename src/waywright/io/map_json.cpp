@@ -7,7 +7,9 @@
 
 #include "waywright/io/files.hpp"
 #include "waywright/io/map_io.hpp"
+#include "waywright/io/map_parts.hpp"
 #include "waywright/io/scenario_io.hpp"
+#include "waywright/io/scenario_json.hpp"
 #include "waywright/io/vehicle_io.hpp"
 
 namespace waywright {
@@ -15,121 +17,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t largest_json = 256ULL << 20;
-constexpr std::int64_t most_cells = 1LL << 28;
 constexpr int most_files_deep = 4;
-
-std::vector<Vec2> read_points(const Node& node) {
-  std::vector<Vec2> points;
-  for (const Node& p : node.elements()) {
-    points.push_back(p.point());
-    if (node.failed()) return {};
-  }
-  return points;
-}
-
-void read_polygons(const Node& node, Map& map) {
-  if (!node.is_object_of({"boundary", "boundaries", "obstacles", "lines", "points"})) return;
-  if (node.has("boundary")) map.boundaries.push_back(read_ring(node.at("boundary"), map.notes));
-  if (node.has("boundaries")) {
-    for (const Node& ring : node.at("boundaries").elements()) {
-      map.boundaries.push_back(read_ring(ring, map.notes));
-      if (node.failed()) return;
-    }
-  }
-  if (node.has("obstacles")) {
-    for (const Node& ring : node.at("obstacles").elements()) {
-      map.obstacles.push_back(read_ring(ring, map.notes));
-      if (node.failed()) return;
-    }
-  }
-  if (node.has("lines")) {
-    for (const Node& line : node.at("lines").elements()) {
-      map.lines.push_back(read_points(line));
-      if (node.failed()) return;
-      if (map.lines.back().size() < 2) line.fail("a line needs at least two points");
-    }
-  }
-  if (node.has("points")) map.points = read_points(node.at("points"));
-}
-
-/// Run lengths: value, count, value, count, … row by row from the top.
-CellGrid read_cells(const Node& node) {
-  CellGrid grid;
-  if (!node.is_object_of({"name", "columns", "rows", "cell", "origin", "bounds", "runs"})) return grid;
-  if (node.has("name")) grid.name = node.at("name").text();
-  grid.columns = static_cast<int>(node.at("columns").integer(1, 1 << 20));
-  grid.rows = static_cast<int>(node.at("rows").integer(1, 1 << 20));
-  grid.cell = node.at("cell").number_above(0.0, 1e3);
-  grid.origin = node.at("origin").pose();
-  if (node.has("bounds")) grid.bounds = node.at("bounds").boolean();
-  const Node runs = node.at("runs");
-  if (node.failed()) return grid;
-  const std::int64_t cells = static_cast<std::int64_t>(grid.columns) * grid.rows;
-  if (cells > most_cells) {
-    node.fail(fmt::format("{} × {} cells", grid.columns, grid.rows), fmt::format("at most {} cells", most_cells));
-    return grid;
-  }
-  std::int64_t covered = 0;
-  const Json& list = runs.json();
-  if (!list.is_array() || list.size() % 2 != 0) {
-    runs.fail("it is not a list of values and counts", "[value, count, value, count, …]");
-    return grid;
-  }
-  for (std::size_t i = 0; i + 1 < list.size(); i += 2) {
-    runs.at(i).integer(0, 2);
-    covered += runs.at(i + 1).integer(1, cells);
-    if (node.failed()) return grid;
-    if (covered > cells) break;
-  }
-  if (covered != cells) {
-    runs.fail(fmt::format("the runs cover {} cells", covered), fmt::format("{} columns × {} rows", grid.columns, grid.rows));
-    return grid;
-  }
-  grid.blocked.reserve(static_cast<std::size_t>(cells));
-  for (std::size_t i = 0; i + 1 < list.size(); i += 2) {
-    grid.blocked.insert(grid.blocked.end(), list[i + 1].get<std::size_t>(), static_cast<std::uint8_t>(list[i].get<int>()));
-  }
-  return grid;
-}
-
-Json cells_to_json(const CellGrid& grid) {
-  Json runs = Json::array();
-  for (std::size_t i = 0; i < grid.blocked.size();) {
-    std::size_t end = i;
-    while (end < grid.blocked.size() && grid.blocked[end] == grid.blocked[i]) ++end;
-    runs.push_back(grid.blocked[i]);
-    runs.push_back(end - i);
-    i = end;
-  }
-  return {{"name", grid.name}, {"columns", grid.columns}, {"rows", grid.rows}, {"cell", grid.cell},
-          {"origin", to_json(grid.origin)}, {"bounds", grid.bounds}, {"runs", std::move(runs)}};
-}
+constexpr int most_files = 256;
+constexpr int most_overlays_deep = 8;
+constexpr std::size_t deepest_source = 24;      // levels of a record that is carried along
+constexpr double largest_raw_coordinate = 1e9;  // m, before a transform: national grids have large ones
+constexpr double largest_record = 1e12;         // m, of a transform that was made of several
 
 /// A loading error that speaks of its own file.
 void take_over(const Node& node, InputError error) {
-  if (!node.context().error) node.context().error = std::move(error);
-}
-
-void record_files(Json& source, const LoadedGrid& loaded) {
-  for (const MapFile& file : loaded.files) {
-    source["files"].push_back({{"name", fs::path{file.path}.filename().string()}, {"sha256", file.sha256}});
-  }
-}
-
-void read_named_map(const Node& node, const fs::path& folder, Map& map, Json& source) {
-  const fs::path path = folder / node.text();
-  auto text = read_file(path, largest_json);
-  if (!text) return take_over(node, text.error());
-  auto json = parse_json(*text, path.string());
-  if (!json) return take_over(node, json.error());
-  ReadContext inner{path.string(), {}, node.context().files_deep + 1};
-  if (inner.files_deep > most_files_deep) return node.fail("map files name each other in a circle or too deeply");
-  Json inner_source;
-  Map named = read_map_node(Node{*json, "", inner}, path.parent_path(), inner_source);
-  if (inner.error) return take_over(node, *inner.error);
-  source["files"].push_back({{"name", path.filename().string()}, {"sha256", sha256(*text)}});
-  map = std::move(named);
+  if (!node.failed()) node.context().error = std::move(error);
 }
 
 void append(Map& map, Map more) {
@@ -144,183 +41,349 @@ void append(Map& map, Map more) {
   move_all(map.notes, more.notes);
 }
 
-void check_limits(const Node& node, const Map& map) {
-  const auto check = [&](Vec2 p) {
-    if (std::max(std::abs(p.x), std::abs(p.y)) > largest_coordinate) {
-      node.fail(fmt::format("after the transform a point lies at ({:g}, {:g})", p.x, p.y), "coordinates within 1e6 m");
+std::optional<Vec2> point_beyond_limits(const Map& map) {
+  const auto beyond = [](Vec2 p) { return !(std::max(std::abs(p.x), std::abs(p.y)) <= largest_coordinate); };
+  for (const auto* lists : {&map.boundaries, &map.obstacles, &map.lines}) {
+    for (const auto& list : *lists) {
+      if (const auto p = std::find_if(list.begin(), list.end(), beyond); p != list.end()) return *p;
     }
-  };
-  for (const auto* rings : {&map.boundaries, &map.obstacles, &map.lines}) {
-    for (const auto& ring : *rings) std::for_each(ring.begin(), ring.end(), check);
   }
-  std::for_each(map.points.begin(), map.points.end(), check);
+  if (const auto p = std::find_if(map.points.begin(), map.points.end(), beyond); p != map.points.end())
+    return *p;
   for (const CellGrid& grid : map.grids) {
     for (const int c : {0, grid.columns}) {
-      for (const int r : {0, grid.rows}) check(grid.corner(c, r));
+      for (const int r : {0, grid.rows}) {
+        if (const Vec2 p = grid.corner(c, r); beyond(p)) return p;
+      }
     }
   }
+  return std::nullopt;
 }
 
-void place(const Node& node, Map& map, Json& source) {
-  if (node.has("transform") && node.has("align")) return node.fail("both transform and align are given", "one of them");
-  Alignment alignment;
-  if (node.has("transform")) {
-    alignment.transform = node.at("transform").pose();
-  } else if (node.has("align")) {
-    std::vector<Vec2> from, to;
-    for (const Node& pair : node.at("align").elements()) {
-      if (!pair.is_array_of(2, "[[x, y] on the map, [x, y] in the world]")) return;
-      from.push_back(pair.at(std::size_t{0}).point());
-      to.push_back(pair.at(1).point());
+/// Reads one `map` object.
+class MapReader {
+ public:
+  MapReader(const Node& node, const fs::path& folder, int overlays_deep)
+      : node_{node}, folder_{folder}, overlays_deep_{overlays_deep} {}
+
+  Map read(Json& source) {
+    if (!check_fields()) return {};
+    const bool recorded = node_.has("source");
+    if (recorded && !read_source(source)) return {};
+    if (!recorded) source = {{"kind", kind_}};
+    if (node_.has("notes")) {
+      for (const Node& note : node_.at("notes").elements()) map_.notes.push_back(note.text());
     }
-    if (node.failed()) return;
-    auto found = align(from, to);
-    if (!found) return node.at("align").fail(found.error().problem, found.error().allowed);
-    alignment = *found;
-    source["align_residuals"] = alignment.residuals;
-  } else {
-    return;
+    const std::size_t known_notes = map_.notes.size();
+    most_ = node_.has("transform") || node_.has("align") ? largest_raw_coordinate : largest_coordinate;
+
+    if (kind_ == "ros")
+      read_ros(source);
+    else if (kind_ == "image")
+      read_image(source);
+    else
+      read_inlined(source);
+    if (!node_.failed()) place(source);
+    if (!node_.failed() && node_.has("obstacles")) {
+      read_rings(node_.at("obstacles"), map_.obstacles, map_.notes, largest_coordinate);
+    }
+    if (!node_.failed()) check_limits();
+    if (!node_.failed() && node_.has("overlay")) read_overlays(source);
+    if (!recorded || map_.notes.size() > known_notes) {
+      if (!map_.notes.empty()) source["notes"] = map_.notes;
+    }
+    return std::move(map_);
   }
-  if (node.failed()) return;
-  source["transform"] = to_json(alignment.transform);
-  transform(map, alignment.transform);
-  map.alignment = alignment;
-  check_limits(node, map);
-}
+
+ private:
+  bool check_fields() {
+    // Before the other fields: these kinds have fields of their own.
+    for (const char* later : {"dxf", "movingai", "generate"}) {
+      if (!node_.has(later)) continue;
+      node_.at(later).fail("this kind of map is not supported yet", "polygons, cells, ros, image");
+      return false;
+    }
+    if (!node_.is_object_of({"polygons", "cells", "ros", "image", "resolution", "origin", "occupied_below",
+                             "unknown_is_free", "transform", "align", "overlay", "obstacles", "source",
+                             "notes", "alignment"})) {
+      return false;
+    }
+    int kinds = 0;
+    for (const char* kind : {"ros", "image"}) {
+      if (!node_.has(kind)) continue;
+      ++kinds;
+      kind_ = kind;
+    }
+    if (node_.has("polygons") || node_.has("cells")) {
+      ++kinds;
+      kind_ = "polygons";
+    }
+    if (kinds != 1) {
+      node_.fail(kinds == 0 ? "no kind of map is given" : fmt::format("{} kinds of map are given", kinds),
+                 "exactly one of polygons (with cells), ros, image");
+      return false;
+    }
+    if (kind_ == "ros")
+      return has_none_of({"resolution", "origin", "occupied_below", "source", "notes", "alignment"});
+    if (kind_ == "image") return has_none_of({"unknown_is_free", "source", "notes", "alignment"});
+    return has_none_of({"resolution", "origin", "occupied_below", "unknown_is_free"});
+  }
+
+  /// Fields of other kinds would be ignored silently.
+  bool has_none_of(std::initializer_list<const char*> fields) {
+    for (const char* field : fields) {
+      if (node_.has(field))
+        node_.at(field).fail(fmt::format("it does not go with a map of kind {}", kind_), "no such field");
+    }
+    return !node_.failed();
+  }
+
+  bool read_source(Json& source) {
+    const Node given = node_.at("source");
+    if (!given.is_object()) {
+      given.fail(fmt::format("it is {}", kind_of(given.json())), "an object");
+    } else if (depth_of(given.json()) > deepest_source) {
+      given.fail("it is nested too deeply", fmt::format("at most {} levels", deepest_source));
+    } else {
+      source = given.json();
+    }
+    return !node_.failed();
+  }
+
+  void read_ros(Json& source) {
+    const std::string name = node_.at("ros").file_name();
+    const bool unknown_is_free = node_.has("unknown_is_free") && node_.at("unknown_is_free").boolean();
+    if (node_.failed() || !count_file()) return;
+    source["file"] = name;
+    if (node_.has("unknown_is_free")) source["unknown_is_free"] = unknown_is_free;
+    take_grid(load_ros_map(folder_ / name, unknown_is_free), source);
+  }
+
+  void read_image(Json& source) {
+    const std::string name = node_.at("image").file_name();
+    const double resolution = node_.at("resolution").number_above(0.0, 1e3);
+    const Pose origin = node_.has("origin") ? node_.at("origin").pose(most_) : Pose{};
+    const double below = node_.has("occupied_below") ? node_.at("occupied_below").number(0.0, 1.0) : 0.5;
+    if (node_.failed() || !count_file()) return;
+    source["file"] = name;
+    source["resolution"] = resolution;
+    source["origin"] = to_json(origin);
+    source["occupied_below"] = below;
+    take_grid(load_image_map(folder_ / name, resolution, origin, below), source);
+  }
+
+  void take_grid(Parsed<LoadedGrid> loaded, Json& source) {
+    if (!loaded) return take_over(node_, loaded.error());
+    if (!count_cells(node_, loaded->grid.columns, loaded->grid.rows)) return;
+    // The files' names without their folders: the record is the same wherever the scenario lies.
+    for (const MapFile& file : loaded->files)
+      add_file(source, fs::path{file.path}.filename().string(), file.sha256);
+    map_.grids.push_back(std::move(loaded->grid));
+    map_.notes.insert(map_.notes.end(), loaded->notes.begin(), loaded->notes.end());
+  }
+
+  static void add_file(Json& source, const std::string& name, const std::string& hash) {
+    source["files"].push_back({{"name", name}, {"sha256", hash}});
+  }
+
+  void read_inlined(Json& source) {
+    if (node_.has("alignment")) map_.alignment = read_alignment(node_.at("alignment"));
+    if (node_.has("polygons")) {
+      const Node polygons = node_.at("polygons");
+      if (polygons.json().is_string())
+        read_named(polygons, source);
+      else
+        read_polygons(polygons, map_, most_);
+    }
+    if (node_.failed() || !node_.has("cells")) return;
+    for (const Node& cells : node_.at("cells").elements()) {
+      map_.grids.push_back(read_cells(cells, most_));
+      if (node_.failed()) return;
+    }
+  }
+
+  static Alignment read_alignment(const Node& node) {
+    Alignment alignment;
+    if (!node.is_object_of({"transform", "residuals"})) return alignment;
+    alignment.transform = node.at("transform").pose(largest_record);
+    if (node.has("residuals")) alignment.residuals = node.at("residuals").numbers(0.0, largest_record);
+    return alignment;
+  }
+
+  /// A map.json: a map object of its own, or just the polygons.
+  void read_named(const Node& polygons, Json& source) {
+    if (node_.has("source"))
+      return polygons.fail("a named map has its own record", "polygons inlined where source is given");
+    const std::string name = polygons.file_name();
+    if (node_.failed() || !count_file()) return;
+    const fs::path path = folder_ / name;
+    auto text = read_file(path, largest_json);
+    if (!text) return take_over(node_, text.error());
+    auto json = parse_json(*text, path.string());
+    if (!json) return take_over(node_, json.error());
+    ReadContext inner = node_.context();
+    inner.file = path.string();
+    if (++inner.files_deep > most_files_deep) {
+      return polygons.fail("map files name each other in a circle or too deeply",
+                           fmt::format("at most {} levels", most_files_deep));
+    }
+    const Node root{*json, "", inner};
+    Json inner_source = Json::object();
+    Map named;
+    if (is_bare(*json))
+      read_polygons(root, named, most_);
+    else
+      named = MapReader{root, path.parent_path(), overlays_deep_}.read(inner_source);
+    node_.context().files_read = inner.files_read;
+    node_.context().cells = inner.cells;
+    if (inner.error) return take_over(node_, *inner.error);
+    source["file"] = name;
+    add_file(source, path.filename().string(), sha256(*text));
+    if (!inner_source.empty()) source["source"] = std::move(inner_source);
+    for (std::string& note : named.notes) note = name + ": " + note;
+    map_.alignment = named.alignment;
+    append(map_, std::move(named));
+  }
+
+  static bool is_bare(const Json& json) {
+    const auto any = [&](std::initializer_list<const char*> fields) {
+      return json.is_object() &&
+             std::any_of(fields.begin(), fields.end(), [&](const char* f) { return json.contains(f); });
+    };
+    return any({"boundary", "boundaries", "obstacles", "lines", "points"}) &&
+           !any({"polygons", "cells", "ros", "image", "dxf", "movingai", "generate"});
+  }
+
+  bool count_file() {
+    if (++node_.context().files_read <= most_files) return true;
+    node_.fail("too many map files are named", fmt::format("at most {} in all", most_files));
+    return false;
+  }
+
+  void place(Json& source) {
+    if (node_.has("transform") && node_.has("align")) {
+      return node_.at("align").fail("both transform and align are given", "one of them");
+    }
+    Alignment alignment;
+    if (node_.has("transform")) {
+      alignment.transform = node_.at("transform").pose(largest_raw_coordinate);
+    } else if (node_.has("align")) {
+      auto found = read_align(node_.at("align"));
+      if (!found) return;
+      alignment = std::move(*found);
+    } else {
+      return;
+    }
+    if (node_.failed()) return;
+    transform(map_, alignment.transform);
+    for (std::vector<Ring>* rings : {&map_.boundaries, &map_.obstacles}) {
+      for (Ring& ring : *rings) repair_placed(ring);
+    }
+    // A map that had been placed before is now placed by both.
+    if (map_.alignment) alignment.transform = Frame{alignment.transform}.to_world(map_.alignment->transform);
+    source["transform"] = to_json(alignment.transform);
+    if (!alignment.residuals.empty()) source["align_residuals"] = alignment.residuals;
+    map_.alignment = std::move(alignment);
+  }
+
+  /// Corners that rounding brings together, or edges that it makes cross, are found here and not by whoever
+  /// reads the map again.
+  void repair_placed(Ring& ring) {
+    RingRepair repair = repair_ring(std::move(ring));
+    if (repair.refused)
+      node_.fail("in the world frame " + *repair.refused, "polygons that stay simple when they are moved");
+    for (const std::string& mended : repair.mended)
+      map_.notes.push_back(node_.path() + ": in the world frame " + mended);
+    ring = std::move(repair.ring);
+  }
+
+  static std::optional<Alignment> read_align(const Node& node) {
+    std::vector<Vec2> from, to;
+    for (const Node& pair : node.elements()) {
+      if (!pair.is_array_of(2, "[[x, y] on the map, [x, y] in the world]")) return std::nullopt;
+      from.push_back(pair.at(std::size_t{0}).point(largest_raw_coordinate));
+      to.push_back(pair.at(1).point(largest_raw_coordinate));
+      if (node.failed()) return std::nullopt;
+    }
+    if (node.failed()) return std::nullopt;
+    auto found = align(from, to);
+    if (found) return *found;
+    node.fail(found.error().problem, found.error().allowed);
+    return std::nullopt;
+  }
+
+  void check_limits() {
+    if (const auto p = point_beyond_limits(map_)) {
+      node_.fail(fmt::format("it reaches ({:g}, {:g}) in the world frame", p->x, p->y),
+                 fmt::format("coordinates within {:g} m after the transform", largest_coordinate));
+    }
+  }
+
+  void read_overlays(Json& source) {
+    const Node overlays = node_.at("overlay");
+    if (overlays_deep_ >= most_overlays_deep) {
+      return overlays.fail("overlays are nested too deeply",
+                           fmt::format("at most {} levels", most_overlays_deep));
+    }
+    Json records =
+        source.contains("overlay") && source["overlay"].is_array() ? source["overlay"] : Json::array();
+    for (const Node& over : overlays.elements()) {
+      Json record = Json::object();
+      Map more = MapReader{over, folder_, overlays_deep_ + 1}.read(record);
+      if (node_.failed()) return;
+      for (CellGrid& grid : more.grids)
+        grid.bounds = false;  // an overlay says nothing of what lies outside it
+      records.push_back(std::move(record));
+      append(map_, std::move(more));
+    }
+    if (!records.empty()) source["overlay"] = std::move(records);
+  }
+
+  const Node& node_;
+  const fs::path& folder_;
+  int overlays_deep_;
+  std::string kind_;
+  double most_ = largest_coordinate;
+  Map map_;
+};
 
 }  // namespace
 
 Map read_map_node(const Node& node, const fs::path& folder, Json& source) {
-  Map map;
-  if (!node.is_object_of({"polygons", "cells", "ros", "image", "resolution", "origin", "occupied_below", "unknown_is_free", "dxf",
-                          "unit", "obstacle_layers", "boundary_layer", "movingai", "cell", "generate", "seed", "transform", "align",
-                          "overlay", "obstacles", "source", "notes"})) {
-    return map;
-  }
-  int kinds = 0;
-  for (const char* kind : {"ros", "image", "dxf", "movingai", "generate"}) kinds += node.has(kind) ? 1 : 0;
-  kinds += node.has("polygons") || node.has("cells") ? 1 : 0;
-  if (kinds != 1) {
-    node.fail(fmt::format("{} kinds of map are given", kinds), "exactly one of polygons (with cells), ros, image");
-    return map;
-  }
-  for (const char* later : {"dxf", "movingai", "generate"}) {
-    if (node.has(later)) {
-      node.at(later).fail("this kind of map is not supported yet", "polygons, cells, ros, image");
-      return map;
-    }
-  }
-  if (node.has("source")) source = node.at("source").json();
-  const bool unknown_is_free = node.has("unknown_is_free") && node.at("unknown_is_free").boolean();
-
-  if (node.has("ros")) {
-    source["kind"] = "ros";
-    source["file"] = node.at("ros").text();
-    if (node.failed()) return map;
-    auto loaded = load_ros_map(folder / node.at("ros").text(), unknown_is_free);
-    if (!loaded) {
-      take_over(node, loaded.error());
-      return map;
-    }
-    record_files(source, *loaded);
-    map.grids.push_back(std::move(loaded->grid));
-  } else if (node.has("image")) {
-    source["kind"] = "image";
-    source["file"] = node.at("image").text();
-    const double resolution = node.at("resolution").number_above(0.0, 1e3);
-    const Pose origin = node.has("origin") ? node.at("origin").pose() : Pose{};
-    const double below = node.has("occupied_below") ? node.at("occupied_below").number(0.0, 1.0) : 0.5;
-    if (node.failed()) return map;
-    auto loaded = load_image_map(folder / node.at("image").text(), resolution, origin, below);
-    if (!loaded) {
-      take_over(node, loaded.error());
-      return map;
-    }
-    record_files(source, *loaded);
-    map.grids.push_back(std::move(loaded->grid));
-  } else {
-    if (!source.contains("kind")) source["kind"] = "polygons";
-    if (node.has("polygons")) {
-      const Node polygons = node.at("polygons");
-      if (polygons.json().is_string()) {
-        source["file"] = polygons.text();
-        read_named_map(polygons, folder, map, source);
-      } else {
-        read_polygons(polygons, map);
-      }
-    }
-    if (node.has("cells")) {
-      for (const Node& cells : node.at("cells").elements()) {
-        map.grids.push_back(read_cells(cells));
-        if (node.failed()) return map;
-      }
-    }
-  }
-  if (node.failed()) return map;
-  if (node.has("notes")) {
-    for (const Node& note : node.at("notes").elements()) map.notes.push_back(note.text());
-  }
-  place(node, map, source);
-  if (node.has("obstacles")) {
-    for (const Node& ring : node.at("obstacles").elements()) {
-      map.obstacles.push_back(read_ring(ring, map.notes));
-      if (node.failed()) return map;
-    }
-  }
-  if (node.has("overlay")) {
-    for (const Node& over : node.at("overlay").elements()) {
-      Json over_source = Json::object();
-      Map more = read_map_node(over, folder, over_source);
-      if (node.failed()) return map;
-      for (CellGrid& grid : more.grids) grid.bounds = false;  // an overlay says nothing of what lies outside it
-      source["overlay"].push_back(std::move(over_source));
-      append(map, std::move(more));
-    }
-  }
-  return map;
+  return MapReader{node, folder, 0}.read(source);
 }
 
 Json map_to_json(const Map& map) {
-  Json polygons = Json::object();
-  if (!map.boundaries.empty()) {
-    if (map.boundaries.size() == 1) {
-      polygons["boundary"] = to_json(map.boundaries.front());
-    } else {
-      for (const Ring& ring : map.boundaries) polygons["boundaries"].push_back(to_json(ring));
-    }
+  Json j{{"polygons", polygons_to_json(map)}};
+  if (!map.grids.empty()) {
+    Json grids = Json::array();
+    for (const CellGrid& grid : map.grids) grids.push_back(cells_to_json(grid));
+    j["cells"] = std::move(grids);
   }
-  for (const Ring& ring : map.obstacles) polygons["obstacles"].push_back(to_json(ring));
-  for (const Polyline& line : map.lines) polygons["lines"].push_back(to_json(line));
-  if (!map.points.empty()) polygons["points"] = to_json(map.points);
-  Json j{{"polygons", std::move(polygons)}};
-  for (const CellGrid& grid : map.grids) j["cells"].push_back(cells_to_json(grid));
+  if (map.alignment)
+    j["alignment"] = {{"transform", to_json(map.alignment->transform)},
+                      {"residuals", map.alignment->residuals}};
   if (!map.notes.empty()) j["notes"] = map.notes;
   return j;
 }
 
+std::string map_json(const Map& map) { return pretty(map_to_json(map)); }
+
 Parsed<Map> read_map(const fs::path& file) {
+  const auto refuse = [&](const char* problem, const char* allowed) {
+    return tl::unexpected{InputError{file.string(), "", problem, allowed}};
+  };
   const std::string extension = file.extension().string();
-  if (extension == ".yaml" || extension == ".yml") {
-    auto loaded = load_ros_map(file, false);
-    if (!loaded) return tl::unexpected{loaded.error()};
-    Map map;
-    map.grids.push_back(std::move(loaded->grid));
-    map.notes = std::move(loaded->notes);
-    return map;
-  }
-  if (extension == ".dxf") {
-    return tl::unexpected{InputError{file.string(), "", "DXF maps are not supported yet", "map.json, ROS yaml"}};
-  }
+  if (extension == ".dxf") return refuse("DXF maps are not supported yet", "map.json, a ROS yaml");
   if (extension == ".pgm" || extension == ".png") {
-    return tl::unexpected{InputError{file.string(), "", "a bare picture has no scale", "a ROS yaml, or a map.json with image and resolution"}};
+    return refuse("a picture alone has no scale", "a ROS yaml, or a map.json with image and resolution");
   }
-  auto text = read_file(file, largest_json);
-  if (!text) return tl::unexpected{text.error()};
-  auto json = parse_json(*text, file.string());
-  if (!json) return tl::unexpected{json.error()};
-  ReadContext context{file.string(), {}, 0};
+  // A map object that names the file, or that lies in it: the same reading and checks as in a scenario.
+  const bool yaml = extension == ".yaml" || extension == ".yml";
+  const Json named{{yaml ? "ros" : "polygons", file.filename().string()}};
+  ReadContext context{file.string(), {}};
   Json source;
-  Map map = read_map_node(Node{*json, "", context}, file.parent_path(), source);
+  Map map = read_map_node(Node{named, "", context}, file.parent_path(), source);
   if (context.error) return tl::unexpected{*context.error};
   return map;
 }

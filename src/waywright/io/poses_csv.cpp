@@ -3,53 +3,53 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
 
 #include "waywright/io/files.hpp"
+#include "waywright/io/json_reader.hpp"
 #include "waywright/io/plan_io.hpp"
 
 namespace waywright {
 namespace {
 
-constexpr std::uint64_t largest_csv = 256ULL << 20;
+constexpr std::uint64_t largest_csv = 256ULL << 20;  // bytes
 constexpr std::size_t most_rows = 1'000'000;
-constexpr double largest = 1e6;
-constexpr double same_place = 1e-6;  // m
+constexpr std::size_t longest_line = 1 << 16;  // bytes
+constexpr double same_place = 1e-6;            // m
+constexpr double same_heading = 1e-9;          // rad
 
 struct Row {
   Pose pose;
-  std::optional<int> direction;
+  std::optional<int> direction;  ///< 1, −1 or 0; absent where the file has no such column
 };
 
-std::vector<std::string> split(std::string_view line, char separator) {
-  std::vector<std::string> cells;
-  std::string cell;
-  for (const char c : line) {
-    if (c == separator) {
-      cells.push_back(cell);
-      cell.clear();
-    } else if (c != '"' && c != '\r' && !(c == ' ' && cell.empty())) {
-      cell += c;
-    }
-  }
-  cells.push_back(cell);
-  for (std::string& text : cells) {
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.pop_back();
-  }
-  return cells;
-}
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+std::string_view trimmed(std::string_view text) {
+  const auto outer = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '"'; };
+  while (!text.empty() && outer(text.front())) text.remove_prefix(1);
+  while (!text.empty() && outer(text.back())) text.remove_suffix(1);
   return text;
 }
 
-enum Column { x_column, y_column, heading_column, direction_column, columns };
+std::vector<std::string_view> split(std::string_view line, char separator) {
+  std::vector<std::string_view> cells;
+  for (;;) {
+    const std::size_t end = line.find(separator);
+    cells.push_back(trimmed(line.substr(0, end)));
+    if (end == std::string_view::npos) return cells;
+    line.remove_prefix(end + 1);
+  }
+}
 
-std::optional<Column> column_of(const std::string& name) {
-  const std::string n = lower(name);
+enum Column { x_column, y_column, heading_column, direction_column, columns };
+constexpr std::array<const char*, columns> column_names{"x", "y", "heading", "direction"};
+
+std::optional<Column> column_of(std::string_view name) {
+  std::string n{name};
+  std::transform(n.begin(), n.end(), n.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (n == "x") return x_column;
   if (n == "y") return y_column;
   if (n == "heading" || n == "theta" || n == "yaw" || n == "th") return heading_column;
@@ -57,69 +57,103 @@ std::optional<Column> column_of(const std::string& name) {
   return std::nullopt;
 }
 
-std::optional<double> number(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
+/// Decimal, whatever the locale; the whole cell.
+std::optional<double> number(std::string_view text) {
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+    return std::nullopt;
   return value;
 }
 
-class Reader {
+class CsvReader {
  public:
-  explicit Reader(const std::string& name) : name_{name} {}
+  explicit CsvReader(const std::string& name) : name_{name} {}
 
-  Parsed<std::vector<Row>> read(const std::string& text) {
-    std::string_view rest{text};
+  Parsed<std::vector<Row>> read(std::string_view rest) {
     if (rest.substr(0, 3) == "\xEF\xBB\xBF") rest.remove_prefix(3);
-    std::vector<Row> rows;
-    std::array<std::optional<std::size_t>, columns> where{};
-    char separator = ',';
     bool header = false;
-    for (std::size_t line = 1; !rest.empty(); ++line) {
+    for (line_ = 1; !rest.empty() && !error_; ++line_) {
       const std::size_t end = rest.find('\n');
-      const std::string_view text_line = rest.substr(0, end);
+      const std::string_view line = rest.substr(0, end);
       rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
-      if (text_line.empty() || text_line[0] == '#' || text_line == "\r") continue;
-      if (!header) {
-        header = true;
-        separator = text_line.find('\t') != std::string_view::npos  ? '\t'
-                    : text_line.find(';') != std::string_view::npos ? ';'
-                                                                    : ',';
-        const auto names = split(text_line, separator);
-        for (std::size_t i = 0; i < names.size(); ++i) {
-          if (const auto column = column_of(names[i])) where[*column] = i;
-        }
-        for (const auto& [column, word] : {std::pair{x_column, "x"}, {y_column, "y"}, {heading_column, "heading"}}) {
-          if (!where[column]) return refuse(line, fmt::format("the header names no column \"{}\"", word), "x, y, heading and optionally direction");
-        }
+      if (line.size() > longest_line)
+        refuse("the line is too long", fmt::format("at most {} bytes", longest_line));
+      else if (const std::string_view text = trimmed(line); text.empty() || text.front() == '#')
         continue;
-      }
-      if (rows.size() >= most_rows) return refuse(line, "there are too many rows", fmt::format("at most {}", most_rows));
-      const auto cells = split(text_line, separator);
-      std::array<double, columns> values{};
-      for (const Column column : {x_column, y_column, heading_column, direction_column}) {
-        if (!where[column]) continue;
-        const auto value = *where[column] < cells.size() ? number(cells[*where[column]]) : std::nullopt;
-        if (!value || std::abs(*value) > largest) return refuse(line, "a value is missing or is not a number that can be used", "finite numbers within 1e6");
-        values[column] = *value;
-      }
-      Row row{{values[x_column], values[y_column], wrap(values[heading_column])}, std::nullopt};
-      if (where[direction_column]) {
-        const double d = values[direction_column];
-        if (d != 1.0 && d != -1.0 && d != 0.0) return refuse(line, fmt::format("the direction is {}", d), "1, -1, 0");
-        row.direction = static_cast<int>(d);
-      }
-      rows.push_back(row);
+      else if (header)
+        read_row(line);
+      else
+        read_header(line), header = true;
     }
-    if (!header) return refuse(1, "the file is empty", "a header and at least two rows");
-    return rows;
+    if (!header && !error_)
+      error_ = InputError{name_, "", "the file is empty: there is no header",
+                          "a header that names x, y, heading and optionally direction"};
+    if (error_) return tl::unexpected{*error_};
+    return std::move(rows_);
   }
 
  private:
-  tl::unexpected<InputError> refuse(std::size_t line, std::string problem, std::string allowed) const {
-    return tl::unexpected{InputError{name_, fmt::format("line {}", line), std::move(problem), std::move(allowed)}};
+  void read_header(std::string_view line) {
+    for (const char separator : {'\t', ';', ','}) {
+      separator_ = separator;
+      if (line.find(separator) != std::string_view::npos) break;
+    }
+    const auto names = split(line, separator_);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const auto column = column_of(names[i]);
+      if (!column) continue;
+      if (where_[*column])
+        return refuse(fmt::format("the header names two columns for {}", column_names[*column]), "one");
+      where_[*column] = i;
+    }
+    for (const Column column : {x_column, y_column, heading_column}) {
+      if (where_[column]) continue;
+      return refuse(fmt::format("the header names no column \"{}\"", column_names[column]),
+                    "x, y, heading (or theta, yaw, th) and optionally direction (or dir, gear)");
+    }
   }
+
+  void read_row(std::string_view line) {
+    if (rows_.size() >= most_rows)
+      return refuse("there are too many rows", fmt::format("at most {}", most_rows));
+    const auto cells = split(line, separator_);
+    std::array<double, columns> values{};
+    for (const Column column : {x_column, y_column, heading_column, direction_column}) {
+      if (!where_[column]) continue;
+      const char* name = column_names[column];
+      if (*where_[column] >= cells.size() || cells[*where_[column]].empty())
+        return refuse(fmt::format("{} is missing", name), "a number");
+      const std::string_view cell = cells[*where_[column]];
+      const auto value = number(cell);
+      if (!value)
+        return refuse(fmt::format("{} is \"{}\"", name, shortened(std::string{cell})), "a finite number");
+      if (std::abs(*value) > largest_coordinate) {
+        return refuse(fmt::format("{} of {} is out of range", name, *value),
+                      fmt::format("{} to {}", -largest_coordinate, largest_coordinate));
+      }
+      values[column] = *value;
+    }
+    Row row{{values[x_column], values[y_column], wrap(values[heading_column])}, std::nullopt};
+    if (where_[direction_column]) {
+      const double d = values[direction_column];
+      if (d != 1.0 && d != -1.0 && d != 0.0) return refuse(fmt::format("direction is {}", d), "1, -1, 0");
+      row.direction = static_cast<int>(d);
+    }
+    rows_.push_back(row);
+  }
+
+  void refuse(std::string problem, std::string allowed) {
+    error_ = InputError{name_, fmt::format("line {}", line_), std::move(problem), std::move(allowed)};
+  }
+
   const std::string& name_;
+  std::size_t line_ = 1;
+  char separator_ = ',';
+  std::array<std::optional<std::size_t>, columns> where_{};
+  std::vector<Row> rows_;
+  std::optional<InputError> error_;
 };
 
 /// Which way the vehicle moves from a to b: forwards where the motion goes with its mean heading.
@@ -128,36 +162,44 @@ int direction_between(const Pose& a, const Pose& b) {
   return dot(b.position() - a.position(), unit(middle)) >= 0.0 ? 1 : -1;
 }
 
+/// The direction of the motion from one row to the next: as both say; where the file says nothing or the rows
+/// differ (some name the motion that begins, some the one that ends), as the vehicle moves.
+int direction_of(const Row& from, const Row& to) {
+  if (from.direction && from.direction == to.direction && *from.direction != 0) return *from.direction;
+  return direction_between(from.pose, to.pose);
+}
+
 }  // namespace
 
 Parsed<Path> parse_poses_csv(const std::string& text, const std::string& name) {
-  auto rows = Reader{name}.read(text);
+  const auto rows = CsvReader{name}.read(text);
   if (!rows) return tl::unexpected{rows.error()};
   Path path;
-  for (std::size_t i = 0; i + 1 < rows->size(); ++i) {
-    const Pose& a = path.pieces.empty() ? (*rows)[i].pose : end_pose(path);
-    const Pose& b = (*rows)[i + 1].pose;
-    const double turn = shorter_turn(a.heading, b.heading);
-    if (distance(a.position(), b.position()) <= same_place) {
-      if (std::abs(turn) <= 1e-9) continue;  // the pose stands twice
-      if (!path.pieces.empty() && std::holds_alternative<Turn>(path.pieces.back().curve)) {
-        std::get<Turn>(path.pieces.back().curve).angle += turn;
-      } else {
-        path.pieces.push_back({Turn{a.position(), a.heading, turn}, 0});
-      }
+  Row at = rows->empty() ? Row{} : rows->front();  // where the path has come to
+  for (const Row& row : *rows) {
+    const double turn = shorter_turn(at.pose.heading, row.pose.heading);
+    const bool stands = distance(at.pose.position(), row.pose.position()) <= same_place;
+    if (stands && std::abs(turn) <= same_heading) {
+      at.direction = row.direction;  // the pose stands twice, where the direction changes say
       continue;
     }
-    // A row's direction is that of the motion that begins there, or of the one that ends at the next where only that moves.
-    int direction = direction_between(a, b);
-    if ((*rows)[i].direction && *(*rows)[i].direction != 0) direction = *(*rows)[i].direction;
-    if ((*rows)[i].direction && (*rows)[i + 1].direction && *(*rows)[i].direction != *(*rows)[i + 1].direction) {
-      direction = direction_between(a, b);
+    if (stands) {
+      // Placed at the path's end, so that a shift too small to be a motion leaves no jump.
+      auto* turning = path.pieces.empty() ? nullptr : std::get_if<Turn>(&path.pieces.back().curve);
+      if (turning != nullptr && (turning->angle > 0.0) == (turn > 0.0))
+        turning->angle += turn;
+      else
+        path.pieces.push_back({Turn{at.pose.position(), at.pose.heading, turn}, 0});
+      at = {end_pose(path), row.direction};
+      continue;
     }
+    const int direction = direction_of(at, row);
     if (!path.pieces.empty() && path.pieces.back().direction == direction) {
-      std::get<PoseSequence>(path.pieces.back().curve).poses.push_back(b);
+      std::get<PoseSequence>(path.pieces.back().curve).poses.push_back(row.pose);
     } else {
-      path.pieces.push_back({PoseSequence{{a, b}}, direction});
+      path.pieces.push_back({PoseSequence{{at.pose, row.pose}}, direction});
     }
+    at = row;
   }
   if (path.pieces.empty()) {
     return tl::unexpected{InputError{name, "", "there are fewer than two different poses", "at least two"}};

@@ -155,12 +155,15 @@ std::array<std::uint8_t, 256> classes_of(const Header& header, bool unknown_is_f
   return classes;
 }
 
+/// Generous: the limit on coordinates holds in the world, after the map has been placed.
+constexpr double largest_raw_coordinate = 1e9;  // m
+
 std::optional<InputError> check_extent(const CellGrid& grid, const std::string& name) {
   for (const int column : {0, grid.columns}) {
     for (const int row : {0, grid.rows}) {
       const Vec2 p = grid.corner(column, row);
-      if (std::max(std::abs(p.x), std::abs(p.y)) > largest_coordinate) {
-        return InputError{name, "", fmt::format("the map reaches ({:g}, {:g})", p.x, p.y), "coordinates within 1e6 m"};
+      if (std::max(std::abs(p.x), std::abs(p.y)) > largest_raw_coordinate) {
+        return InputError{name, "", fmt::format("the map reaches ({:g}, {:g})", p.x, p.y), "coordinates within 1e9 m"};
       }
     }
   }

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "waywright/io/files.hpp"
 #include "waywright/io/map_json.hpp"
@@ -15,60 +17,76 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t largest_scenario = 256ULL << 20;
 constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
 
+constexpr double longest = 1e4;  // m, of shelves and gaps
+
+/// A list that may stand there as long as it is empty.
 void not_yet(const Node& node, const char* field) {
-  if (node.has(field) && !(node.at(field).json().is_array() && node.at(field).json().empty())) {
-    node.at(field).fail("it is not supported yet");
-  }
+  if (!node.has(field)) return;
+  const Node list = node.at(field);
+  if (!list.is_array())
+    list.fail(fmt::format("it is {}", kind_of(list.json())), "an array");
+  else if (!list.json().empty())
+    list.fail("it is not supported yet", "an empty array");
 }
 
 Pose read_start(const Node& node) {
   if (!node.is_object()) return node.pose();
   if (!node.is_object_of({"pose", "speed", "curvature"})) return {};
   for (const char* field : {"speed", "curvature"}) {
-    if (node.has(field) && node.at(field).number(-1e3, 1e3) != 0.0) node.at(field).fail("a moving start is not supported yet", "0");
+    if (node.has(field) && node.at(field).number(-1e3, 1e3) != 0.0)
+      node.at(field).fail("a moving start is not supported yet", "0");
   }
   return node.at("pose").pose();
+}
+
+Shelf read_shelf(const Node& node) {
+  Shelf shelf;
+  if (!node.is_object_of({"center", "heading", "size", "gap", "slot"})) return shelf;
+  shelf.center = node.at("center").point();
+  shelf.heading = wrap(node.at("heading").number(-1e6, 1e6));
+  const Node size = node.at("size");
+  if (!size.is_array_of(2, "[depth, width]")) return shelf;
+  shelf.depth = size.at(std::size_t{0}).number_above(0.0, longest);
+  shelf.width = size.at(1).number_above(0.0, longest);
+  if (node.failed()) return shelf;
+  if (node.has("gap")) shelf.gap = node.at("gap").number(0.0, longest);
+  if (node.has("slot")) shelf.slot = node.at("slot").number(-0.5 * shelf.width, 0.5 * shelf.width);
+  return shelf;
 }
 
 Station read_station(const Node& node, std::vector<std::string>& notes) {
   Station station;
   if (!node.is_object_of({"area", "shelf", "manoeuvre", "insertion"})) return station;
-  if (node.has("manoeuvre")) {
-    const std::string manoeuvre = node.at("manoeuvre").text();
-    if (manoeuvre == "undock") node.at("manoeuvre").fail("undocking is not supported yet", "dock");
-    else if (!node.failed() && manoeuvre != "dock") node.at("manoeuvre").fail(fmt::format("\"{}\" is not known", manoeuvre), "dock");
+  if (node.has("manoeuvre") && node.at("manoeuvre").word({"dock", "undock"}) == "undock") {
+    node.at("manoeuvre").fail("\"undock\" is not supported yet", "dock");
   }
-  not_yet(node, "insertion");
+  if (node.has("insertion")) node.at("insertion").fail("it is not supported yet");
   station.area = read_ring(node.at("area"), notes);
-  const Node shelf = node.at("shelf");
-  if (node.failed() || !shelf.is_object_of({"center", "heading", "size", "gap", "slot"})) return station;
-  station.shelf.center = shelf.at("center").point();
-  station.shelf.heading = wrap(shelf.at("heading").number(-1e6, 1e6));
-  const Node size = shelf.at("size");
-  if (!size.is_array_of(2, "[depth, width]")) return station;
-  station.shelf.depth = size.at(std::size_t{0}).number_above(0.0, 1e4);
-  station.shelf.width = size.at(1).number_above(0.0, 1e4);
-  if (shelf.has("gap")) station.shelf.gap = shelf.at("gap").number(0.0, 1e4);
-  if (shelf.has("slot")) {
-    const double half = 0.5 * station.shelf.width;
-    station.shelf.slot = shelf.at("slot").number(-half, half);
-  }
+  if (!node.failed()) station.shelf = read_shelf(node.at("shelf"));
   return station;
 }
 
 Mission read_mission(const Node& node, std::vector<std::string>& notes) {
-  const int given = (node.has("goal") ? 1 : 0) + (node.has("station") ? 1 : 0) + (node.has("legs") ? 1 : 0);
-  if (given != 1) {
-    node.context().fail("goal", given == 0 ? "the mission is missing" : "more than one mission is given", "exactly one of goal, station, legs");
+  std::string given;
+  int missions = 0;
+  for (const char* mission : {"goal", "station", "legs"}) {
+    if (!node.has(mission)) continue;
+    given += (missions++ == 0 ? "" : ", ") + std::string{mission};
+  }
+  if (missions != 1) {
+    node.context().fail(missions == 0 ? "goal" : given,
+                        missions == 0 ? "the mission is missing" : "more than one mission is given",
+                        "exactly one of goal, station, legs");
     return Pose{};
   }
-  not_yet(node, "legs");
+  if (node.has("legs")) {
+    node.at("legs").fail("it is not supported yet", "goal, station");
+    return Pose{};
+  }
   not_yet(node, "waypoints");
   if (node.has("station")) return read_station(node.at("station"), notes);
-  if (!node.has("goal")) return Pose{};
   const Node goal = node.at("goal");
   if (goal.is_object()) {
     goal.fail("a goal region is not supported yet", "a pose [x, y, heading]");
@@ -79,6 +97,15 @@ Mission read_mission(const Node& node, std::vector<std::string>& notes) {
     return Pose{};
   }
   return goal.pose();
+}
+
+PoseError read_pose_error(const Node& node) {
+  PoseError error;
+  if (!node.is_object_of({"lateral", "longitudinal", "heading"})) return error;
+  if (node.has("lateral")) error.lateral = node.at("lateral").number(0.0, 1e3);
+  if (node.has("longitudinal")) error.longitudinal = node.at("longitudinal").number(0.0, 1e3);
+  if (node.has("heading")) error.heading = node.at("heading").number(0.0, pi);
+  return error;
 }
 
 BudgetLimits read_budget(const Node& node) {
@@ -94,22 +121,14 @@ BudgetLimits read_budget(const Node& node) {
   return budget;
 }
 
-PlannerChoice read_planner(const Node& node) {
-  PlannerChoice choice;
-  if (!node.is_object()) {
-    node.fail(fmt::format("it is {}", kind_of(node.json())), "an object with a name and parameters");
-    return choice;
-  }
-  choice.name = node.at("name").text();
-  for (const auto& [key, value] : node.json().items()) {
-    if (key == "name") continue;
-    const Node field{value, node.path() + "." + key, node.context()};
-    if (value.is_boolean()) choice.parameters[key] = value.get<bool>();
-    else if (value.is_number()) choice.parameters[key] = field.number(-1e300, 1e300);
-    else if (value.is_string()) choice.parameters[key] = value.get<std::string>();
-    else field.fail(fmt::format("it is {}", kind_of(value)), "a number, text, true or false");
-  }
-  return choice;
+Vehicle read_vehicle_field(const Node& node, const fs::path& folder, std::vector<std::string>& notes) {
+  if (!node.json().is_string()) return read_vehicle_node(node, notes);
+  const std::string name = node.file_name();
+  if (node.failed()) return {};
+  auto vehicle = read_vehicle_file(folder / name, name, notes);
+  if (vehicle) return *vehicle;
+  node.context().error = vehicle.error();
+  return {};
 }
 
 Json budget_to_json(const BudgetLimits& budget) {
@@ -117,129 +136,95 @@ Json budget_to_json(const BudgetLimits& budget) {
   if (budget.evaluations) j["evaluations"] = *budget.evaluations;
   if (budget.expansions) j["expansions"] = *budget.expansions;
   if (budget.samples) j["samples"] = *budget.samples;
-  if (budget.seconds) j["seconds"] = *budget.seconds;
+  if (budget.seconds && std::isfinite(*budget.seconds)) j["seconds"] = *budget.seconds;
   return j;
 }
 
-void write_pretty(const Json& json, int indent, int depth, std::string& out) {
-  const auto line = [&](int d) {
-    out += '\n';
-    out.append(static_cast<std::size_t>(indent * d), ' ');
-  };
-  const bool simple_array = json.is_array() && std::none_of(json.begin(), json.end(), [](const Json& e) {
-    return e.is_object() || (e.is_array() && std::any_of(e.begin(), e.end(), [](const Json& f) { return f.is_structured(); }));
-  });
-  if (json.is_object() && !json.empty()) {
-    out += '{';
-    bool first = true;
-    for (const auto& [key, value] : json.items()) {
-      if (!first) out += ',';
-      first = false;
-      line(depth + 1);
-      out += Json(key).dump(-1, ' ', false, Json::error_handler_t::replace) + ": ";
-      write_pretty(value, indent, depth + 1, out);
-    }
-    line(depth);
-    out += '}';
-  } else if (json.is_array() && !simple_array) {
-    out += '[';
-    for (std::size_t i = 0; i < json.size(); ++i) {
-      if (i > 0) out += ',';
-      line(depth + 1);
-      write_pretty(json[i], indent, depth + 1, out);
-    }
-    line(depth);
-    out += ']';
-  } else {
-    out += json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  }
-}
-
 }  // namespace
-
-std::string pretty(const Json& json, int indent) {
-  std::string out;
-  write_pretty(json, indent, 0, out);
-  out += '\n';
-  return out;
-}
 
 void check_format(const Node& node, const char* what) {
   const std::string wanted = fmt::format("waywright-{}/", what);
   const std::string format = node.at("format").text();
   if (node.failed() || format == wanted + "1") return;
-  const bool newer = format.rfind(wanted, 0) == 0 && format.size() > wanted.size() && format.size() < wanted.size() + 6 &&
-                     std::all_of(format.begin() + static_cast<std::ptrdiff_t>(wanted.size()), format.end(),
-                                 [](char c) { return c >= '0' && c <= '9'; }) &&
-                     format.substr(wanted.size()) != "0";
-  node.at("format").fail(newer ? fmt::format("\"{}\" was written by a newer version", format)
-                               : fmt::format("\"{}\" is not a format that can be read", format.substr(0, 60)),
-                         wanted + "1");
+  const std::string_view number = std::string_view{format}.substr(std::min(wanted.size(), format.size()));
+  const bool newer = format.rfind(wanted, 0) == 0 && !number.empty() && number[0] != '0' &&
+                     std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+  node.at("format").fail(
+      newer ? fmt::format("\"{}\" was written by a newer version; this one reads /1", shortened(format))
+            : fmt::format("\"{}\" is not a format that can be read here", shortened(format)),
+      wanted + "1");
 }
 
 Scenario read_scenario_node(const Node& node, const fs::path& folder) {
   Scenario scenario;
-  if (!node.is_object_of({"format", "name", "meta", "map", "vehicle", "start", "goal", "waypoints", "station", "legs", "clearance",
-                          "pose_error", "zones", "moving", "budget", "planner", "seed"})) {
+  check_format(node, "scenario");  // first: a newer one may well have fields that are unknown here
+  if (node.failed() || !node.is_object_of({"format", "name", "meta", "map", "vehicle", "start", "goal",
+                                           "waypoints", "station", "legs", "clearance", "pose_error", "zones",
+                                           "moving", "budget", "planner", "seed"})) {
     return scenario;
   }
-  check_format(node, "scenario");
-  if (node.failed()) return scenario;
   if (node.has("name")) scenario.name = node.at("name").text();
   if (node.has("meta")) {
-    if (!node.at("meta").is_object()) node.at("meta").fail("it is not an object", "an object with anything in it");
-    scenario.meta = node.at("meta").json().dump(-1, ' ', false, Json::error_handler_t::replace);
+    const Node meta = node.at("meta");
+    if (!meta.is_object()) meta.fail(fmt::format("it is {}", kind_of(meta.json())), "an object");
+    scenario.meta = meta.json().dump(-1, ' ', false, Json::error_handler_t::replace);
   }
+  if (node.failed()) return scenario;
   Json source = Json::object();
   scenario.map = read_map_node(node.at("map"), folder, source);
   if (node.failed()) return scenario;
-
-  const Node vehicle = node.at("vehicle");
-  if (vehicle.json().is_string()) {
-    auto read = read_vehicle(folder / vehicle.text());
-    if (!read) {
-      if (!node.failed()) node.context().error = read.error();
-      return scenario;
-    }
-    scenario.vehicle = std::move(*read);
-  } else {
-    scenario.vehicle = read_vehicle_node(vehicle, scenario.map.notes);
-  }
+  std::vector<std::string>& notes = scenario.map.notes;
+  const std::size_t notes_of_map = notes.size();
+  scenario.vehicle = read_vehicle_field(node.at("vehicle"), folder, notes);
   if (node.failed()) return scenario;
   scenario.start = read_start(node.at("start"));
-  scenario.mission = read_mission(node, scenario.map.notes);
+  scenario.mission = read_mission(node, notes);
   if (node.has("clearance")) scenario.clearance = node.at("clearance").number(0.0, 1e3);
-  if (node.has("pose_error")) {
-    const Node error = node.at("pose_error");
-    if (error.is_object_of({"lateral", "longitudinal", "heading"})) {
-      if (error.has("lateral")) scenario.pose_error.lateral = error.at("lateral").number(0.0, 1e3);
-      if (error.has("longitudinal")) scenario.pose_error.longitudinal = error.at("longitudinal").number(0.0, 1e3);
-      if (error.has("heading")) scenario.pose_error.heading = error.at("heading").number(0.0, pi);
-    }
-  }
+  if (node.has("pose_error")) scenario.pose_error = read_pose_error(node.at("pose_error"));
   not_yet(node, "zones");
   not_yet(node, "moving");
   if (node.has("budget")) scenario.budget = read_budget(node.at("budget"));
-  if (node.has("planner")) scenario.planner = read_planner(node.at("planner"));
+  if (node.has("planner")) {
+    const Node planner = node.at("planner");
+    if (planner.is_object()) scenario.planner.name = planner.at("name").text();
+    scenario.planner.parameters = read_parameters(planner);
+  }
   if (node.has("seed")) scenario.seed = static_cast<std::uint64_t>(node.at("seed").integer(0, most));
-  source["notes"] = scenario.map.notes;
-  if (scenario.map.notes.empty()) source.erase("notes");
-  scenario.map_source = source.dump();
+  if (notes.size() > notes_of_map) source["notes"] = notes;
+  scenario.map_source = source.dump(-1, ' ', false, Json::error_handler_t::replace);
   return scenario;
 }
 
-Json parameters_to_json(const Parameters& parameters) {
-  Json j = Json::object();
-  for (const auto& [name, value] : parameters) {
-    std::visit([&, &key = name](const auto& v) { j[key] = v; }, value);
+Parameters read_parameters(const Node& node) {
+  Parameters parameters;
+  for (const auto& [name, field] : node.members("an object of parameters by name")) {
+    if (name == "name") continue;
+    const Json& value = field.json();
+    if (value.is_boolean())
+      parameters[name] = value.get<bool>();
+    else if (value.is_number())
+      parameters[name] = field.number(-1e300, 1e300);
+    else if (value.is_string())
+      parameters[name] = value.get<std::string>();
+    else
+      field.fail(fmt::format("it is {}", kind_of(value)), "a number, text, true or false");
+  }
+  return parameters;
+}
+
+Json parameters_to_json(const Parameters& parameters, const std::string* name) {
+  Json::object_t j;  // appended without looking for the field each time: names differ
+  if (name != nullptr) j.emplace_back("name", *name);
+  for (const auto& [field, value] : parameters) {
+    std::visit([&, &key = field](const auto& v) { j.emplace_back(key, Json(v)); }, value);
   }
   return j;
 }
 
 Json scenario_to_json(const Scenario& scenario) {
   Json map = map_to_json(scenario.map);
-  map["source"] = Json::parse(scenario.map_source, nullptr, false);
-  if (map["source"].is_discarded()) map.erase("source");
+  Json source = Json::parse(scenario.map_source, nullptr, false);
+  if (source.is_object()) map["source"] = std::move(source);
   Json j{{"format", "waywright-scenario/1"}, {"name", scenario.name}};
   Json meta = Json::parse(scenario.meta, nullptr, false);
   if (meta.is_object()) j["meta"] = std::move(meta);
@@ -249,20 +234,23 @@ Json scenario_to_json(const Scenario& scenario) {
   if (const auto* station = std::get_if<Station>(&scenario.mission)) {
     const Shelf& shelf = station->shelf;
     j["station"] = {{"area", to_json(station->area)},
-                    {"shelf", {{"center", to_json(shelf.center)}, {"heading", shelf.heading},
-                               {"size", Json::array({shelf.depth, shelf.width})}, {"gap", shelf.gap}, {"slot", shelf.slot}}},
+                    {"shelf",
+                     {{"center", to_json(shelf.center)},
+                      {"heading", shelf.heading},
+                      {"size", Json::array({shelf.depth, shelf.width})},
+                      {"gap", shelf.gap},
+                      {"slot", shelf.slot}}},
                     {"manoeuvre", "dock"}};
   } else {
     j["goal"] = to_json(std::get<Pose>(scenario.mission));
   }
   j["clearance"] = scenario.clearance;
-  j["pose_error"] = {{"lateral", scenario.pose_error.lateral}, {"longitudinal", scenario.pose_error.longitudinal},
+  j["pose_error"] = {{"lateral", scenario.pose_error.lateral},
+                     {"longitudinal", scenario.pose_error.longitudinal},
                      {"heading", scenario.pose_error.heading}};
   j["zones"] = Json::array();
   j["budget"] = budget_to_json(scenario.budget);
-  Json planner{{"name", scenario.planner.name}};
-  planner.update(parameters_to_json(scenario.planner.parameters));
-  j["planner"] = std::move(planner);
+  j["planner"] = parameters_to_json(scenario.planner.parameters, &scenario.planner.name);
   j["seed"] = scenario.seed;
   return j;
 }
@@ -270,19 +258,20 @@ Json scenario_to_json(const Scenario& scenario) {
 Parsed<Scenario> parse_scenario(const std::string& text, const std::string& name, const fs::path& folder) {
   auto json = parse_json(text, name);
   if (!json) return tl::unexpected{json.error()};
-  ReadContext context{name, {}, 0};
+  ReadContext context{name, {}};
   Scenario scenario = read_scenario_node(Node{*json, "", context}, folder);
   if (context.error) return tl::unexpected{*context.error};
   return scenario;
 }
 
 Parsed<Scenario> read_scenario(const fs::path& file) {
-  auto text = read_file(file, largest_scenario);
+  auto text = read_file(file, largest_json);
   if (!text) return tl::unexpected{text.error()};
   return parse_scenario(*text, file.string(), file.parent_path());
 }
 
-std::string scenario_json(const Scenario& scenario, int indent) { return pretty(scenario_to_json(scenario), indent); }
-std::string map_json(const Map& map) { return pretty(map_to_json(map)); }
+std::string scenario_json(const Scenario& scenario, int indent) {
+  return pretty(scenario_to_json(scenario), indent);
+}
 
 }  // namespace waywright

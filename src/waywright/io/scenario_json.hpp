@@ -1,22 +1,27 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "waywright/io/json_reader.hpp"
 #include "waywright/scenario/scenario.hpp"
 
 namespace waywright {
 
-/// The whole scenario object; what is wrong is in the context.
+/// The whole scenario object; what is wrong is in the context. Paths in it are relative to `folder`.
 Scenario read_scenario_node(const Node& node, const std::filesystem::path& folder);
 Json scenario_to_json(const Scenario& scenario);
 
-Json parameters_to_json(const Parameters& parameters);
+/// A planner's parameters: every member of the object but `name`.
+Parameters read_parameters(const Node& node);
+/// The parameters as an object; `name`, where given, stands before them.
+Json parameters_to_json(const Parameters& parameters, const std::string* name = nullptr);
 
 /// Checks `format` ("waywright-<what>/1"): a newer number gets its own sentence.
 void check_format(const Node& node, const char* what);
 
-/// Text of a JSON value: objects one field a line, arrays of plain values on one line.
+/// Text of a JSON value: objects one field a line, arrays of plain values or points on one line. Numbers have
+/// the fewest digits that read back to the same bits; one that is not finite becomes null.
 std::string pretty(const Json& json, int indent = 2);
 
 }  // namespace waywright

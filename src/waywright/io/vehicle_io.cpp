@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 
 #include "waywright/io/files.hpp"
 #include "waywright/io/scenario_io.hpp"
@@ -10,17 +10,27 @@
 namespace waywright {
 namespace {
 
-constexpr double most = 1e6;
-constexpr std::uint64_t largest_vehicle_file = 1 << 20;
+constexpr double most = 1e6;                      // of speeds, accelerations, curvatures, masses
+constexpr double longest = 1e3;                   // m
+constexpr std::uint64_t largest_file = 16 << 20;  // bytes
+constexpr std::size_t most_corners =
+    100'000;  // of one polygon; looking for crossings may take the square of it
 
 Footprint read_footprint(const Node& node, std::vector<std::string>& notes) {
   Footprint footprint;
   if (node.is_object()) {
-    if (node.is_object_of({"disc"})) footprint.disc = node.at("disc").number(0.0, 1e3);
+    if (node.is_object_of({"disc"})) footprint.disc = node.at("disc").number(0.0, longest);
+    return footprint;
+  }
+  if (!node.is_array()) {
+    node.fail(fmt::format("it is {}", kind_of(node.json())), "a polygon [[x, y], ...] or {\"disc\": radius}");
     return footprint;
   }
   footprint.polygon = read_ring(node, notes);
-  if (!node.failed() && footprint.radius() > 1e3) node.fail("the footprint is larger than 1 km", "corners within 1000 m of the origin");
+  if (!node.failed() && footprint.radius() > longest) {
+    node.fail(fmt::format("it reaches {:g} m from the origin", footprint.radius()),
+              fmt::format("at most {} m", longest));
+  }
   return footprint;
 }
 
@@ -30,35 +40,28 @@ Json footprint_to_json(const Footprint& footprint) {
 }
 
 Drive read_drive(const Node& node) {
-  const std::string type = node.at("type").text();
+  const std::string type = node.at("type").word({"tricycle", "differential", "mecanum"});
+  if (node.failed()) return Differential{};
+  const auto extent = [&](const char* field) { return node.at(field).number_above(0.0, longest); };
   if (type == "tricycle") {
     Tricycle tricycle;
-    if (!node.is_object_of({"type", "wheelbase", "max_steering", "max_steering_rate", "steered_axle"})) return tricycle;
-    tricycle.wheelbase = node.at("wheelbase").number_above(0.0, 1e3);
-    const Node steering = node.at("max_steering");
-    tricycle.max_steering = steering.number_above(0.0, 0.5 * pi);
-    if (!node.failed() && tricycle.max_steering >= 0.5 * pi) steering.fail("it is a right angle", "above 0, under π/2");
-    if (node.has("max_steering_rate")) tricycle.max_steering_rate = node.at("max_steering_rate").number_above(0.0, 1e3);
-    if (node.has("steered_axle")) {
-      const std::string axle = node.at("steered_axle").text();
-      if (!node.failed() && axle != "rear" && axle != "front") {
-        node.at("steered_axle").fail(fmt::format("\"{}\" is not known", axle), "rear, front");
-      }
-      tricycle.steered_axle = axle == "front" ? SteeredAxle::front : SteeredAxle::rear;
+    if (!node.is_object_of({"type", "wheelbase", "max_steering", "max_steering_rate", "steered_axle"}))
+      return tricycle;
+    tricycle.wheelbase = extent("wheelbase");
+    tricycle.max_steering = node.at("max_steering").number_between(0.0, 0.5 * pi);
+    if (node.has("max_steering_rate"))
+      tricycle.max_steering_rate = node.at("max_steering_rate").number_above(0.0, 1e3);
+    if (node.has("steered_axle") && node.at("steered_axle").word({"rear", "front"}) == "front") {
+      tricycle.steered_axle = SteeredAxle::front;
     }
     return tricycle;
   }
   if (type == "differential") {
     if (!node.is_object_of({"type", "track"})) return Differential{};
-    return Differential{node.at("track").number_above(0.0, 1e3)};
+    return Differential{extent("track")};
   }
-  if (type == "mecanum") {
-    if (!node.is_object_of({"type", "wheel_radius", "half_length", "half_width"})) return Mecanum{};
-    return Mecanum{node.at("wheel_radius").number_above(0.0, 1e3), node.at("half_length").number_above(0.0, 1e3),
-                   node.at("half_width").number_above(0.0, 1e3)};
-  }
-  if (!node.failed()) node.at("type").fail(fmt::format("\"{}\" is not known", type), "tricycle, differential, mecanum");
-  return Differential{};
+  if (!node.is_object_of({"type", "wheel_radius", "half_length", "half_width"})) return Mecanum{};
+  return Mecanum{extent("wheel_radius"), extent("half_length"), extent("half_width")};
 }
 
 Json drive_to_json(const Drive& drive) {
@@ -68,15 +71,19 @@ Json drive_to_json(const Drive& drive) {
     j["steered_axle"] = t->steered_axle == SteeredAxle::rear ? "rear" : "front";
     return j;
   }
-  if (const auto* d = std::get_if<Differential>(&drive)) return {{"type", "differential"}, {"track", d->track}};
+  if (const auto* d = std::get_if<Differential>(&drive))
+    return {{"type", "differential"}, {"track", d->track}};
   const auto& m = std::get<Mecanum>(drive);
-  return {{"type", "mecanum"}, {"wheel_radius", m.wheel_radius}, {"half_length", m.half_length}, {"half_width", m.half_width}};
+  return {{"type", "mecanum"},
+          {"wheel_radius", m.wheel_radius},
+          {"half_length", m.half_length},
+          {"half_width", m.half_width}};
 }
 
 Limits read_limits(const Node& node) {
   Limits limits;
-  if (!node.is_object_of({"speed", "reverse_speed", "acceleration", "deceleration", "lateral_acceleration", "angular_speed",
-                          "angular_acceleration", "curvature", "curvature_rate"})) {
+  if (!node.is_object_of({"speed", "reverse_speed", "acceleration", "deceleration", "lateral_acceleration",
+                          "angular_speed", "angular_acceleration", "curvature", "curvature_rate"})) {
     return limits;
   }
   const auto required = [&](const char* field, double fallback) {
@@ -103,7 +110,7 @@ Json limits_to_json(const Limits& limits) {
          {"acceleration", limits.acceleration},
          {"deceleration", limits.deceleration}};
   const auto optional = [&](const char* field, const std::optional<double>& value) {
-    if (value) j[field] = *value;
+    if (value && std::isfinite(*value)) j[field] = *value;  // an infinite limit is none
   };
   optional("lateral_acceleration", limits.lateral_acceleration);
   optional("angular_speed", limits.angular_speed);
@@ -123,15 +130,16 @@ Json to_json(const std::vector<Vec2>& points) {
   return j;
 }
 
-Ring read_ring(const Node& node, std::vector<std::string>& notes) {
-  Ring ring;
-  for (const Node& corner : node.elements()) {
-    ring.push_back(corner.point());
-    if (node.failed()) return {};
-  }
+Ring read_ring(const Node& node, std::vector<std::string>& notes, double limit) {
+  Ring ring = node.points(limit);
   if (node.failed()) return {};
   if (ring.empty()) {
     node.fail("the polygon is empty", "at least 3 corners [x, y]");
+    return {};
+  }
+  if (ring.size() > most_corners) {
+    node.fail(fmt::format("the polygon has {} corners", ring.size()),
+              fmt::format("at most {}", most_corners));
     return {};
   }
   RingRepair repair = repair_ring(std::move(ring));
@@ -145,19 +153,16 @@ Ring read_ring(const Node& node, std::vector<std::string>& notes) {
 
 Vehicle read_vehicle_node(const Node& node, std::vector<std::string>& notes) {
   Vehicle vehicle;
-  if (!node.is_object_of({"name", "footprint", "forks", "loads", "mass", "drive", "limits", "control_point", "meta"})) return vehicle;
+  if (!node.is_object_of({"name", "footprint", "forks", "loads", "mass", "drive", "limits", "control_point"}))
+    return vehicle;
   if (node.has("name")) vehicle.name = node.at("name").text();
   vehicle.footprint = read_footprint(node.at("footprint"), notes);
   if (node.has("forks")) vehicle.forks = read_ring(node.at("forks"), notes);
   if (node.has("loads")) {
-    const Node loads = node.at("loads");
-    if (!loads.is_object()) loads.fail(fmt::format("it is {}", kind_of(loads.json())), "an object of loads by name");
-    if (loads.is_object()) {
-      for (const auto& [name, value] : loads.json().items()) {
-        const Node load{value, loads.path() + "." + name, loads.context()};
-        if (!load.is_object_of({"footprint", "mass"})) break;
-        vehicle.loads[name] = Load{read_footprint(load.at("footprint"), notes), load.has("mass") ? load.at("mass").number(0.0, most) : 0.0};
-      }
+    for (const auto& [name, load] : node.at("loads").members("an object of loads by name")) {
+      if (!load.is_object_of({"footprint", "mass"})) break;
+      vehicle.loads[name] = {read_footprint(load.at("footprint"), notes),
+                             load.has("mass") ? load.at("mass").number(0.0, most) : 0.0};
     }
   }
   if (node.has("mass")) vehicle.mass = node.at("mass").number(0.0, most);
@@ -171,9 +176,12 @@ Json vehicle_to_json(const Vehicle& vehicle) {
   Json j{{"name", vehicle.name}, {"footprint", footprint_to_json(vehicle.footprint)}};
   if (vehicle.forks) j["forks"] = to_json(*vehicle.forks);
   if (!vehicle.loads.empty()) {
+    Json::object_t
+        loads;  // appended without looking for the name each time: there may be many, and they differ
     for (const auto& [name, load] : vehicle.loads) {
-      j["loads"][name] = Json{{"footprint", footprint_to_json(load.footprint)}, {"mass", load.mass}};
+      loads.emplace_back(name, Json{{"footprint", footprint_to_json(load.footprint)}, {"mass", load.mass}});
     }
+    j["loads"] = std::move(loads);
   }
   j["mass"] = vehicle.mass;
   j["drive"] = drive_to_json(vehicle.drive);
@@ -182,16 +190,23 @@ Json vehicle_to_json(const Vehicle& vehicle) {
   return j;
 }
 
-Parsed<Vehicle> read_vehicle(const std::filesystem::path& file) {
-  auto text = read_file(file, largest_vehicle_file);
+Parsed<Vehicle> read_vehicle_file(const std::filesystem::path& file, const std::string& name,
+                                  std::vector<std::string>& notes) {
+  auto text = read_file(file, largest_file);
   if (!text) return tl::unexpected{text.error()};
   auto json = parse_json(*text, file.string());
   if (!json) return tl::unexpected{json.error()};
-  ReadContext context{file.string(), {}, 0};
-  std::vector<std::string> notes;
-  Vehicle vehicle = read_vehicle_node(Node{*json, "", context}, notes);
+  ReadContext context{file.string(), {}};
+  std::vector<std::string> mended;
+  Vehicle vehicle = read_vehicle_node(Node{*json, "", context}, mended);
   if (context.error) return tl::unexpected{*context.error};
+  for (const std::string& note : mended) notes.push_back(name + ": " + note);
   return vehicle;
+}
+
+Parsed<Vehicle> read_vehicle(const std::filesystem::path& file) {
+  std::vector<std::string> notes;
+  return read_vehicle_file(file, file.filename().string(), notes);
 }
 
 }  // namespace waywright

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "waywright/io/json_reader.hpp"
 #include "waywright/vehicle/vehicle.hpp"
 
@@ -7,10 +11,14 @@ namespace waywright {
 
 /// `notes` receives what was repaired.
 Vehicle read_vehicle_node(const Node& node, std::vector<std::string>& notes);
+/// The vehicle in a file of its own, named `name` in the notes.
+Parsed<Vehicle> read_vehicle_file(const std::filesystem::path& file, const std::string& name,
+                                  std::vector<std::string>& notes);
 Json vehicle_to_json(const Vehicle& vehicle);
 
-/// A polygon of corners, repaired where that is safe.
-Ring read_ring(const Node& node, std::vector<std::string>& notes);
+/// A polygon of corners within ±most, repaired where that is safe; `notes` receives what was mended, with the
+/// field's name.
+Ring read_ring(const Node& node, std::vector<std::string>& notes, double most = largest_coordinate);
 
 Json to_json(Vec2 p);
 Json to_json(const Pose& p);

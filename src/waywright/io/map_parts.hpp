@@ -1,0 +1,28 @@
+// What maps consist of: polygons, lines, points and grids of cells as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "waywright/io/json_reader.hpp"
+#include "waywright/map/map.hpp"
+
+namespace waywright {
+
+/// {"boundary", "boundaries", "obstacles", "lines", "points"}, each part optional, coordinates within ±most.
+/// Notes of what was repaired go into the map.
+void read_polygons(const Node& node, Map& map, double most);
+Json polygons_to_json(const Map& map);
+
+/// An array of polygons, added to `rings`.
+void read_rings(const Node& node, std::vector<Ring>& rings, std::vector<std::string>& notes, double most);
+
+/// {"name", "columns", "rows", "cell", "origin", "bounds", "runs": [value, count, value, count, …]}: row by
+/// row from the top, 0 free, 1 occupied, 2 unknown.
+CellGrid read_cells(const Node& node, double most);
+Json cells_to_json(const CellGrid& grid);
+
+/// Counts a grid's cells against what one scenario may hold; fails where it is too many.
+bool count_cells(const Node& node, std::int64_t columns, std::int64_t rows);
+
+}  // namespace waywright
