@@ -40,6 +40,20 @@ function(waywright_flags target)
   target_compile_options(${target} PRIVATE -ffp-contract=off)
 endfunction()
 
+# Kernels that are compiled once for each instruction set: files kernels_NAME.cpp of a folder, chosen among at run time.
+function(waywright_lanes name folder)
+  set(plain -O3 -Wno-psabi)
+  set_source_files_properties(${folder}/kernels_baseline.cpp PROPERTIES COMPILE_OPTIONS "${plain}")
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    set_source_files_properties(${folder}/kernels_avx2.cpp PROPERTIES COMPILE_OPTIONS "${plain};-mavx2")
+    # g++ 12 warns of its own header's use of undefined registers.
+    set_source_files_properties(${folder}/kernels_avx512.cpp PROPERTIES COMPILE_OPTIONS
+                                "${plain};-mavx512f;-mavx512dq;-Wno-uninitialized;-Wno-maybe-uninitialized")
+  else()
+    set_source_files_properties(${folder}/kernels_avx2.cpp ${folder}/kernels_avx512.cpp PROPERTIES HEADER_FILE_ONLY ON)
+  endif()
+endfunction()
+
 # Quick tests have no "Full" in their names; the others run on demand.
 function(waywright_test target)
   add_executable(${target} ${ARGN})

@@ -73,7 +73,7 @@ TEST(Report, SaysWhatHappenedWhereThereIsNoPath) {
   expect_clean(r.html);
   EXPECT_NE(r.html.find("No path"), std::string::npos);
   EXPECT_NE(r.html.find("What happened"), std::string::npos);
-  EXPECT_NE(r.html.find("obstacle 2"), std::string::npos);
+  EXPECT_NE(r.html.find("before it met obstacle"), std::string::npos);
 }
 
 TEST(Report, EscapesNames) {

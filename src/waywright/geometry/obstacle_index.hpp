@@ -1,6 +1,8 @@
 // Segments and points in a hierarchy of boxes, asked for their distance to a moving outline.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -39,12 +41,38 @@ class ObstacleIndex {
   /// True where nothing is within `margin` (≤) of the ring's area.
   bool is_clear(std::span<const Vec2> ring, double margin) const;
 
+  /// Calls `seen(segment)` for every segment that may be within `distance` of a point.
+  template <class Seen>
+  void visit(Vec2 point, double distance, Seen&& seen) const {
+    if (nodes_.empty()) return;
+    std::array<std::uint32_t, deepest> stack;
+    std::size_t top = 0;
+    stack[top++] = 0;
+    while (top > 0) {
+      const std::uint32_t index = stack[--top];
+      const Node& node = nodes_[index];
+      if (squared_distance(node.box, point) > distance * distance) continue;
+      if (node.count == 0) {
+        stack[top++] = index + 1;
+        stack[top++] = node.first;
+        continue;
+      }
+      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) seen(segments_[i]);
+    }
+  }
+
  private:
+  static constexpr std::size_t deepest = 128;  ///< entries of a traversal's stack: the tree is balanced
   struct Node {
     Box box;
     std::uint32_t first = 0;  ///< leaf: first segment; inner: right child (left child is the next node)
     std::uint32_t count = 0;  ///< 0: inner
   };
+  static double squared_distance(const Box& box, Vec2 point) {
+    const double dx = std::max({0.0, box.low.x - point.x, point.x - box.high.x});
+    const double dy = std::max({0.0, box.low.y - point.y, point.y - box.high.y});
+    return dx * dx + dy * dy;
+  }
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
 
   std::vector<Segment> segments_;

@@ -35,11 +35,14 @@ bool contains(const Ring& ring, Vec2 point) {
   return in;
 }
 
-Ring convex_hull(std::vector<Vec2> points) {
+void convex_hull(std::vector<Vec2>& points, Ring& hull) {
   std::sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  Ring hull(2 * points.size());  // monotone chain (Andrew 1979)
+  if (points.size() < 3) {
+    hull.assign(points.begin(), points.end());
+    return;
+  }
+  hull.resize(2 * points.size());  // monotone chain (Andrew 1979)
   std::size_t n = 0;
   const auto add = [&](Vec2 p, std::size_t least) {
     while (n >= least && cross(hull[n - 1] - hull[n - 2], p - hull[n - 2]) <= 0.0) --n;
@@ -49,6 +52,11 @@ Ring convex_hull(std::vector<Vec2> points) {
   const std::size_t lower = n + 1;
   for (std::size_t i = points.size() - 1; i-- > 0;) add(points[i], lower);
   hull.resize(n - 1);
+}
+
+Ring convex_hull(std::vector<Vec2> points) {
+  Ring hull;
+  convex_hull(points, hull);
   return hull;
 }
 

@@ -30,6 +30,8 @@ bool contains(const Ring& ring, Vec2 point);
 
 /// Counter-clockwise convex hull without collinear corners.
 Ring convex_hull(std::vector<Vec2> points);
+/// The same into `hull`, whose memory is reused; `points` are put into another order.
+void convex_hull(std::vector<Vec2>& points, Ring& hull);
 
 /// True where the ring is convex (collinear corners allowed).
 bool is_convex(const Ring& ring);

@@ -146,10 +146,12 @@ Contact World::clearance(const Footprint& footprint, const Pose& pose, double en
 }
 
 bool World::is_free(const Footprint& footprint, const Pose& pose, double margin) const {
-  const PlacedOutline outline{footprint, pose};
+  return is_free(PlacedOutline{footprint, pose}.ring(), margin + (footprint.is_disc() ? footprint.disc : 0.0));
+}
+
+bool World::is_free(std::span<const Vec2> ring, double margin) const {
   Contact contact;
-  if (inside_blocked(outline.ring().front(), contact)) return false;
-  return index_.is_clear(outline.ring(), margin + (footprint.is_disc() ? footprint.disc : 0.0));
+  return !inside_blocked(ring.front(), contact) && index_.is_clear(ring, margin);
 }
 
 std::string World::source_name(std::size_t source) const {

@@ -55,6 +55,17 @@ class World {
   /// True where clearance(footprint, pose) > margin. Cheaper than asking for the distance.
   bool is_free(const Footprint& footprint, const Pose& pose, double margin) const;
 
+  /// The same for the area of a closed ring in the world frame.
+  bool is_free(std::span<const Vec2> ring, double margin) const;
+
+  /// True where a point lies inside something solid or outside a boundary; edges alone (walls, scan points) do not count.
+  bool is_blocked(Vec2 point) const {
+    Contact contact;
+    return inside_blocked(point, contact);
+  }
+
+  const ObstacleIndex& index() const { return index_; }  ///< all edges
+
   /// "obstacle 3", "scan point 17", "shelf", "boundary", "warehouse.yaml (occupied cell)"; for messages.
   std::string source_name(std::size_t source) const;
 

@@ -1,13 +1,13 @@
-// One candidate of the docking search: its path, its measures, how far it can be driven.
+// One candidate of the docking search: its measures, and how far it can be driven.
 #pragma once
 
 #include <array>
 #include <optional>
-#include <vector>
 
 #include "waywright/objective/docking_cost.hpp"
 #include "waywright/planner/docking/pattern.hpp"
-#include "waywright/scenario/problem.hpp"
+#include "waywright/planner/docking/prepared.hpp"
+#include "waywright/planner/docking/sweep.hpp"
 
 namespace waywright {
 
@@ -15,44 +15,44 @@ namespace waywright {
 struct CandidateScore {
   PathMeasures measures;
   double max_curvature_rate = 0.0;  ///< 1/m²
-  double reach = 0.0;               ///< m driven free before the first contact
+  double reach = 0.0;               ///< share of the path driven before the first contact, in [0, 1]
   bool free = false;                ///< reached the end
-  std::optional<Contact> contact;   ///< the first one
+  Pose blocked_at{};                ///< where it ended, if not free
   double excess = 0.0;              ///< how far limits are exceeded, as a share of them; 0: kept
   bool feasible() const { return free && excess == 0.0; }
 };
 
-/// Evaluates candidates of our form: measures by dense samples, contact along the continuous motion.
+/// Evaluates candidates of our form.
 ///
-/// Free means: from sample to sample the clearance found exceeds the required one by more than any footprint point can move in
-/// between (the sum of both ends' slack against path length + radius × turning), so a candidate that counts as free is free
-/// between the samples too, up to the margin `reserve`. Reuses its buffers: no allocation after the first call.
+/// Measures are taken from 91 samples of each quintic in single precision. Contact is looked for along the continuous motion: the clearance
+/// field settles most of it, stretch by stretch; what it leaves open is decided by the hulls that the footprint sweeps between
+/// neighbouring samples. A candidate that is surely too near somewhere is not looked at more closely: where it is blocked is then known to
+/// a stretch that the field leaves open. Allocates nothing.
 class CandidateEvaluator {
  public:
-  explicit CandidateEvaluator(const Problem& problem);
+  explicit CandidateEvaluator(const PreparedDocking& prepared, const lanes::Kernels& kernels = lanes::best());
 
-  /// `stop_at_contact` false: measures only (for the reference path).
-  CandidateScore evaluate(const std::array<Spline, 2>& splines, bool check_contact = true);
+  /// `check_contact` false: measures only (for the reference path).
+  CandidateScore evaluate(const DockingPattern& pattern, bool check_contact = true);
 
  private:
-  struct State {
-    Pose pose;
-    double s = 0.0;
-    double turned = 0.0;  ///< ∫|κ| ds from the start
-    std::size_t spline = 0;
-    std::size_t span = 0;
-    double u = 0.0;
+  /// A straight run and its verdict, asked again only where it is another one.
+  struct KnownRun {
+    Vec2 from{}, to{}, heading{};
+    bool known = false;
+    bool clear = false;
+    bool is_clear(Sweep& sweep, Vec2 begin, Vec2 end, Vec2 along, double margin);
   };
-  void sample(const std::array<Spline, 2>& splines, CandidateScore& score);
-  void drive(const std::array<Spline, 2>& splines, CandidateScore& score) const;
-  State between(const std::array<Spline, 2>& splines, const State& a, const State& b) const;
+  void check(const DockingPattern& pattern, CandidateScore& score);
 
-  const Problem& problem_;
-  double radius_;
-  double required_;
+  const PreparedDocking& prepared_;
+  const lanes::Kernels& kernels_;
+  lanes::Field field_;
+  Sweep sweep_;
+  KnownRun start_run_, dock_run_;
   double curvature_limit_;
   double rate_limit_;
-  std::vector<State> states_;
+  std::array<lanes::Track, 2> tracks_;
 };
 
 /// Cost that the search minimises: `base` where feasible; above it graded, so that a search finds its way into narrow stations:

@@ -14,12 +14,6 @@ Spline without_empty(std::vector<BezierSpan> spans) {
   return {SplineKind::quintic, std::move(spans)};
 }
 
-Spline straight_ended(const std::array<Vec2, 4>& points, double start_course, double end_course) {
-  return without_empty({straight_span(points[0], points[1]),
-                        joining_quintic(points[1], start_course, points[2], end_course),
-                        straight_span(points[2], points[3])});
-}
-
 }  // namespace
 
 PatternPoints pattern_points(const Pose& start, const Pose& dock, const Pose& transition, const PatternLeads& leads) {
@@ -57,11 +51,23 @@ BezierSpan joining_quintic(Vec2 from, double from_course, Vec2 to, double to_cou
   return straight_ended_quintic(from, length * unit(from_course), to, length * unit(to_course));
 }
 
+DockingPattern docking_pattern(const Pose& start, const Pose& dock, const Pose& transition, const PatternLeads& leads) {
+  DockingPattern pattern{pattern_points(start, dock, transition, leads), {}, {}};
+  const auto& [back, forth] = pattern.points;
+  pattern.back = joining_quintic(back[1], wrap(start.heading + pi), back[2], wrap(transition.heading + pi));
+  pattern.forth = joining_quintic(forth[1], transition.heading, forth[2], dock.heading);
+  return pattern;
+}
+
+std::array<Spline, 2> splines_of(const DockingPattern& pattern) {
+  const auto& [back, forth] = pattern.points;
+  return {without_empty({straight_span(back[0], back[1]), pattern.back, straight_span(back[2], back[3])}),
+          without_empty({straight_span(forth[0], forth[1]), pattern.forth, straight_span(forth[2], forth[3])})};
+}
+
 std::array<Spline, 2> straight_ended_pattern(const Pose& start, const Pose& dock, const Pose& transition,
                                              const PatternLeads& leads) {
-  const PatternPoints points = pattern_points(start, dock, transition, leads);
-  return {straight_ended(points.back, wrap(start.heading + pi), wrap(transition.heading + pi)),
-          straight_ended(points.forth, transition.heading, dock.heading)};
+  return splines_of(docking_pattern(start, dock, transition, leads));
 }
 
 Path pattern_path(std::array<Spline, 2> splines) {

@@ -33,6 +33,14 @@ double transition_heading(Side side, double dock_heading, double offset = 0.0);
 std::array<Spline, 2> published_pattern(const Pose& start, const Pose& dock, const Pose& transition,
                                         const PatternLeads& leads = published_leads);
 
+/// Our form before it becomes a path: fixed size, so that a search can make thousands.
+struct DockingPattern {
+  PatternPoints points;
+  BezierSpan back, forth;  ///< the quintics between points 1 and 2 of each
+};
+DockingPattern docking_pattern(const Pose& start, const Pose& dock, const Pose& transition, const PatternLeads& leads);
+std::array<Spline, 2> splines_of(const DockingPattern& pattern);
+
 /// Our form: straight first and last stretches and a quintic between them whose curvature is 0 at both ends. The headings are
 /// met exactly, and the curvature is 0 and continuous wherever the vehicle stands still.
 std::array<Spline, 2> straight_ended_pattern(const Pose& start, const Pose& dock, const Pose& transition,

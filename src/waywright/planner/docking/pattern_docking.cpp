@@ -34,7 +34,7 @@ PathMeasures reference_measures(const Problem& problem, const DockingTask& task,
     const Vec2 point{scale * published_reference.x, sign * scale * published_reference.y};
     const Pose transition = task.frame.to_world(make_pose(point, transition_heading(zone.side, task.dock.heading)));
     const CandidateScore score =
-        evaluator.evaluate(straight_ended_pattern(problem.start(), problem.goal(), transition, leads), false);
+        evaluator.evaluate(docking_pattern(problem.start(), problem.goal(), transition, leads), false);
     if (reference.length == 0.0 || score.measures.length < reference.length) reference = score.measures;
   }
   if (std::isfinite(limit)) reference.curvature_change = std::min(reference.curvature_change, 6.0 * limit);
@@ -45,9 +45,9 @@ std::string infeasible_sentence(const Problem& problem, const SideOutcome& outco
                                 std::int64_t evaluations) {
   std::string text = fmt::format("On the {} side no pattern fits: of {} candidates the best", to_string(outcome.side),
                                  evaluations);
-  if (!score.free && score.contact) {
-    text += fmt::format(" came {:.1f} of {:.1f} m before it met {}", score.reach, score.measures.length,
-                        contact_words(problem, *score.contact));
+  if (!score.free && outcome.contact) {
+    text += fmt::format(" came {:.1f} of {:.1f} m before it met {}", score.reach * score.measures.length,
+                        score.measures.length, contact_words(problem, *outcome.contact));
   } else {
     const double limit = problem.vehicle().max_curvature();
     text += fmt::format(" needs a curvature of {:.3f} 1/m", score.measures.max_curvature);
@@ -66,11 +66,11 @@ SideOutcome search_side(const Problem& problem, const DockingTask& task, const Z
   SideOutcome outcome;
   outcome.side = zone.side;
   outcome.searched = true;
-  const auto splines_at = [&](std::span<const double> x) {
-    return straight_ended_pattern(problem.start(), problem.goal(), transition_pose(task, zone, x), options.leads);
+  const auto pattern_at = [&](std::span<const double> x) {
+    return docking_pattern(problem.start(), problem.goal(), transition_pose(task, zone, x), options.leads);
   };
   const CostFunction cost = [&](std::span<const double> x) {
-    const CandidateScore score = evaluator.evaluate(splines_at(x));
+    const CandidateScore score = evaluator.evaluate(pattern_at(x));
     return graded_cost(score, objective_value(options, score.measures, reference));
   };
   const SearchResult result = optimizer.minimise(cost, search_space(zone, options.heading_range), search, budget);
@@ -78,13 +78,13 @@ SideOutcome search_side(const Problem& problem, const DockingTask& task, const Z
     outcome.sentence = fmt::format("The {} side was not searched: the budget was spent.", to_string(zone.side));
     return outcome;
   }
-  const auto splines = splines_at(result.best);
-  const CandidateScore score = evaluator.evaluate(splines);
-  outcome.path = pattern_path(splines);
+  const DockingPattern pattern = pattern_at(result.best);
+  const CandidateScore score = evaluator.evaluate(pattern);
+  outcome.path = pattern_path(splines_of(pattern));
   outcome.transition = transition_pose(task, zone, result.best);
   outcome.feasible = score.feasible();
   outcome.cost = result.cost;
-  outcome.contact = score.contact;
+  if (!score.free) outcome.contact = problem.world().clearance(problem.vehicle().footprint, score.blocked_at, 1.0);
   if (outcome.feasible) {
     outcome.sentence = fmt::format(
         "On the {} side the best of {} candidates costs {:.4f}: {:.2f} m long, change of curvature {:.3f} 1/m, greatest "
@@ -152,8 +152,9 @@ PatternDockingPlanner::PatternDockingPlanner(PatternDockingOptions options, std:
     : options_{options}, optimizer_{std::move(optimizer)}, seed_{seed}, fallback_{std::move(fallback)} {}
 
 PlanningResult PatternDockingPlanner::plan(const Problem& problem, Budget& budget) const {
-  const DockingTask task = partition(problem);
-  CandidateEvaluator evaluator{problem};
+  const PreparedDocking prepared{problem};
+  const DockingTask& task = prepared.task();
+  CandidateEvaluator evaluator{prepared};
   const PathMeasures reference = reference_measures(problem, task, options_.leads, evaluator);
 
   SearchOptions search = options_per_side(task.zones, options_.sides, options_.evaluations, options_.population, budget);

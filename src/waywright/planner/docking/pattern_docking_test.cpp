@@ -96,48 +96,6 @@ TEST(PatternDocking, SameProblemSameBits) {
   }
 }
 
-TEST(Candidate, WhatCountsAsFreeIsFreeAtEveryMillimetre) {
-  const Problem problem = fixture::problem(Id::d2);
-  const DockingTask task = partition(problem);
-  CandidateEvaluator evaluator{problem};
-  Random random{7};
-  int free = 0;
-  for (int i = 0; i < 400; ++i) {
-    const double sign = random.uniform() < 0.7 ? 1.0 : -1.0;
-    const Side side = sign > 0 ? Side::left : Side::right;
-    const Pose t{random.uniform(2.0, 6.0), sign * random.uniform(1.5, 6.0),
-                 transition_heading(side, task.dock.heading, random.uniform(-0.6, 0.6))};
-    const auto splines = straight_ended_pattern(problem.start(), problem.goal(), t, {});
-    const CandidateScore score = evaluator.evaluate(splines);
-    const auto samples = sample(pattern_path(splines), 2.4, 1e-6, 0.002);
-    bool touches = false;
-    for (const Sample& s : samples) touches |= !problem.world().is_free(problem.vehicle().footprint, s.pose(), 0.0);
-    if (score.free) {
-      ++free;
-      EXPECT_FALSE(touches);
-    }
-    EXPECT_NEAR(score.measures.length, samples.back().s, 1e-3 * samples.back().s);
-  }
-  EXPECT_GT(free, 20);
-}
-
-TEST(Candidate, GradedCostOrdersFeasibleLimitAndContact) {
-  CandidateScore feasible;
-  feasible.free = true;
-  feasible.measures.length = 10.0;
-  CandidateScore sharp = feasible;
-  sharp.excess = 0.2;
-  CandidateScore late = feasible;
-  late.free = false;
-  late.reach = 8.0;
-  CandidateScore early = late;
-  early.reach = 2.0;
-  EXPECT_LT(graded_cost(feasible, 1.0), graded_cost(sharp, 1.0));
-  EXPECT_LT(graded_cost(sharp, 1.0), graded_cost(late, 1.0));
-  EXPECT_LT(graded_cost(late, 1.0), graded_cost(early, 1.0));
-  EXPECT_GE(graded_cost(late, 1.0), 1000.0);
-}
-
 TEST(JoiningQuintic, MeetsCoursesAndHasNoCurvatureAtItsEnds) {
   Random random{3};
   for (int i = 0; i < 1000; ++i) {

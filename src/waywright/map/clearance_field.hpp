@@ -1,0 +1,52 @@
+// Distance to anything blocked, tabled: one number a cell that no point of the cell is nearer than. A filter for planners: what it
+// calls clear is clear, what it does not is asked of the World.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "waywright/map/world.hpp"
+
+namespace waywright {
+
+class ClearanceField {
+ public:
+  struct Options {
+    double cell = 0.03;             ///< m, > 0; doubled until the region has at most `most_cells`
+    double sharp = 1.0;             ///< m, distances up to this are tabled as well as the cell allows
+    double cap = 2.0;               ///< m, ≥ sharp: greater distances are tabled as this; those between to some cells' precision
+    std::size_t most_cells = 1 << 20;
+  };
+  ClearanceField() = default;
+  ClearanceField(const World& world, const Box& region, const Options& options);
+
+  /// Lower bound in m of the distance from a point to anything blocked, 0 inside it; −1 outside the region and in its rim.
+  float at(Vec2 point) const;
+
+  /// Greatest amount in m by which a point of a cell can be farther from everything than the cell's value says, if it says no more than
+  /// `sharp`.
+  double slack() const { return 1.4143 * cell_ + 1e-5; }
+
+  Vec2 origin() const { return origin_; }  ///< low corner of the first cell
+  double cell() const { return cell_; }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  const std::vector<float>& values() const { return values_; }  ///< row-major, rows upwards
+
+ private:
+  void fill(const World& world, int column, int row, const Options& options);
+  void fill_block(const World& world, int column, int row, double limit, const Options& options);
+  struct Block;
+  Block block_at(int column, int row, int side) const;
+  float& value(int column, int row);
+
+  std::vector<const Segment*> near_;  ///< while filling
+
+  Vec2 origin_{};
+  double cell_ = 0.0;
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<float> values_;
+};
+
+}  // namespace waywright
