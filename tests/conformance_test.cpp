@@ -79,8 +79,8 @@ TEST_P(Conformance, ObeysItsBudget) {
   scenario.budget.evaluations = 10;
   scenario.budget.samples = 10;
   const Plan plan = *solve(Problem::prepare(scenario).value());
-  // The fallback's placements count as samples; a last motion may take a few more than the budget.
-  EXPECT_LE(plan.effort.evaluations, 10 + 600);
+  EXPECT_LE(plan.effort.evaluations, 10);
+  EXPECT_GT(plan.effort.evaluations, 0);
   EXPECT_TRUE(plan.reproducible);
 }
 

@@ -27,6 +27,12 @@ class Budget {
   std::int64_t evaluations() const { return evaluations_; }
   void count_evaluations(std::int64_t n = 1) { evaluations_ += n; }
 
+  /// What the limit leaves, ≥ 0.
+  std::optional<std::int64_t> evaluations_left() const {
+    if (!limits_.evaluations) return std::nullopt;
+    return *limits_.evaluations > evaluations_ ? *limits_.evaluations - evaluations_ : 0;
+  }
+
   bool canceled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
   bool timed_out() {
     if (!limits_.seconds) return false;

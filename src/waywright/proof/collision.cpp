@@ -11,7 +11,7 @@ namespace {
 constexpr double cap = 10.0;                   // m; clearance beyond it is reported as this
 constexpr std::int64_t most_queries = 4000000;  // bound on the work for one path
 constexpr int deepest = 48;                    // halvings: only a cusp, where no bound on turning exists, gets there
-constexpr double least_tolerance = 1e-6;       // m
+constexpr double least_tolerance = 1e-7;       // m
 
 /// Rounding of coordinates, distances and hulls: some ulps of the largest coordinate. m
 double rounding_slack(const MotionInterval& interval, double radius) {

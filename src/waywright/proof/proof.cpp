@@ -11,7 +11,7 @@
 namespace waywright {
 namespace {
 
-constexpr double fine_tolerance = 1e-5;       // m, second look where the first bound is just short
+constexpr double fine_tolerance = 5e-7;       // m, second look where the first bound is just short; under the slack
 constexpr double comparison_slack = 1e-6;     // m, for a clearance that is met exactly
 
 void append(std::vector<Violation>& all, std::vector<Violation> more) {

@@ -106,6 +106,20 @@ TEST(Proof, ClearanceOfStraightMotionIsExact) {
   EXPECT_NEAR(proof.certificate.checked_length, 10.0, 1e-9);
 }
 
+// Where nothing is to spare: a disc of 0.3 m on an arc of 2 m radius past a point 2.4 m from the arc's centre.
+TEST(Proof, ClearanceThatAnArcMeetsExactlyIsProven) {
+  Map map;
+  map.points = {2.4 * unit(0.7)};
+  const Path path{{{Arc{Pose{2.0, 0.0, 0.5 * pi}, 0.5, 3.0}, 1}}};
+  Footprint disc;
+  disc.disc = 0.3;
+  Scenario s = problem_for(map, path, disc).scenario();
+  s.clearance = 0.1;
+  EXPECT_TRUE(prove(Problem::prepare(s).value(), path).holds());
+  s.clearance = 0.1 + 3e-6;
+  EXPECT_FALSE(prove(Problem::prepare(s).value(), path).holds());
+}
+
 TEST(Proof, AThinWallBetweenSamplesIsFound) {
   Map map;
   map.lines = {{{3.0123, -5.0}, {3.0123, 5.0}}};

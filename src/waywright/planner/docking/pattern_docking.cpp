@@ -157,7 +157,8 @@ PlanningResult PatternDockingPlanner::plan(const Problem& problem, Budget& budge
   CandidateEvaluator evaluator{prepared};
   const PathMeasures reference = reference_measures(problem, task, options_.leads, evaluator);
 
-  SearchOptions search = options_per_side(task.zones, options_.sides, options_.evaluations, options_.population, budget);
+  SearchOptions search = options_per_side(task.zones, options_.sides, options_.evaluations, options_.population, budget,
+                                          fallback_.has_value());
   std::vector<SideOutcome> outcomes;
   for (const Zone& zone : task.zones) {
     SideOutcome outcome;

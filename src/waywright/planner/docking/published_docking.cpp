@@ -112,7 +112,7 @@ PublishedDockingPlanner::PublishedDockingPlanner(PublishedDockingOptions options
 PlanningResult PublishedDockingPlanner::plan(const Problem& problem, Budget& budget) const {
   DockingTask task = partition(problem);
   task.zones = published_zones(task, problem, options_.least_side);
-  SearchOptions search = options_per_side(task.zones, options_.sides, options_.evaluations, options_.population, budget);
+  SearchOptions search = options_per_side(task.zones, options_.sides, options_.evaluations, options_.population, budget, false);
 
   std::vector<SideOutcome> outcomes;
   for (const Zone& zone : task.zones) {

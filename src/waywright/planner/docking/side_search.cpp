@@ -39,13 +39,14 @@ bool is_wanted(SideChoice choice, Side side) {
 }
 
 SearchOptions options_per_side(const std::vector<Zone>& zones, SideChoice sides, std::int64_t evaluations, int population,
-                               const Budget& budget) {
+                               const Budget& budget, bool second_choice) {
   SearchOptions options;
   options.population = population;
   options.evaluations = evaluations;
   const auto searched = std::count_if(zones.begin(), zones.end(), [&](const Zone& z) { return !z.left_out() && is_wanted(sides, z.side); });
   if (budget.limits().evaluations && searched > 0) {
-    options.evaluations = std::max<std::int64_t>(1, *budget.limits().evaluations / searched);
+    const std::int64_t all = *budget.evaluations_left();
+    options.evaluations = std::max<std::int64_t>(1, (second_choice ? all - all / 4 : all) / searched);
   }
   return options;
 }

@@ -19,9 +19,10 @@ Pose transition_pose(const DockingTask& task, const Zone& zone, std::span<const 
 
 bool is_wanted(SideChoice choice, Side side);
 
-/// Work for the search on one side: `evaluations`, or an equal share of the scenario's budget for all sides that are searched.
+/// Work for the search on one side: `evaluations`, or an equal share of what the scenario's budget allows for all sides that are
+/// searched; a quarter of that is kept where a second choice stands by.
 SearchOptions options_per_side(const std::vector<Zone>& zones, SideChoice sides, std::int64_t evaluations, int population,
-                               const Budget& budget);
+                               const Budget& budget, bool second_choice);
 
 /// Why a side was left out, with figures.
 std::string left_out_sentence(const Zone& zone);

@@ -156,7 +156,7 @@ PlanningResult RrtConnectPlanner::plan(const Problem& problem, Budget& budget) c
   alternative.name = "Reeds-Shepp, RRTConnect";
   MotionTestLimits limits;
   limits.placements = budget.limits().samples.value_or(options_.checks);
-  limits.motions = budget.limits().evaluations.value_or(std::numeric_limits<std::int64_t>::max());
+  limits.motions = budget.evaluations_left().value_or(std::numeric_limits<std::int64_t>::max());
   limits.resolution = options_.resolution;
   MotionTest test{problem, limits, budget};
   const ReedsShepp curves{turning_radius(std::max(curvature, least_curvature), options_)};
