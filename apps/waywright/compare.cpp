@@ -142,7 +142,7 @@ int compare(const CompareArguments& arguments) {
   text += fmt::format("\nwritten: {0}/compare.csv", arguments.out.string());
   for (std::size_t p = 0; p < problems.size(); ++p) {
     const std::string name = problems.size() == 1 ? "compare.svg" : fmt::format("compare-{}.svg", p + 1);
-    const std::string picture = overlay_svg(problems[p].scenario(), best_plans(runs, p, *contestants), 860.0);
+    const std::string picture = overlay_svg(problems[p], best_plans(runs, p, *contestants), 860.0);
     if (auto written = write_file(arguments.out / name, picture); !written) return complain(written.error());
     text += fmt::format(", {}/{}", arguments.out.string(), name);
   }

@@ -187,7 +187,7 @@ std::uint32_t ObstacleIndex::build(std::uint32_t begin, std::uint32_t end) {
   return index;
 }
 
-Nearest ObstacleIndex::nearest(std::span<const Vec2> ring, double limit) const {
+Nearest ObstacleIndex::nearest(std::span<const Vec2> ring, double limit, std::size_t without) const {
   Nearest answer;
   answer.distance = limit;
   if (nodes_.empty() || ring.empty() || !(limit > 0.0)) return answer;
@@ -208,7 +208,7 @@ Nearest ObstacleIndex::nearest(std::span<const Vec2> ring, double limit) const {
     if (node.count > 0) {
       for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
         const Segment& s = segments_[i];
-        if (squared_gap(box_of(s), box) >= best) continue;
+        if (s.source == without || squared_gap(box_of(s), box) >= best) continue;
         const Candidate c = outline.nearest(s);
         if (c.squared < best) {
           best = c.squared;

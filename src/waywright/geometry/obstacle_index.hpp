@@ -36,8 +36,9 @@ class ObstacleIndex {
   const std::vector<Segment>& segments() const { return segments_; }
 
   /// Nearest segment to the area of a closed ring (world frame; one point or two are a point or a segment), exact, looked
-  /// for below `limit`. Laws: distance ≥ 0; unchanged by a rigid motion of both up to rounding; 0 where they overlap.
-  Nearest nearest(std::span<const Vec2> ring, double limit) const;
+  /// for below `limit`, segments of the source `without` left out. Laws: distance ≥ 0; unchanged by a rigid motion of both up to
+  /// rounding; 0 where they overlap.
+  Nearest nearest(std::span<const Vec2> ring, double limit, std::size_t without = static_cast<std::size_t>(-1)) const;
   /// True where nothing is within `margin` (≤) of the ring's area.
   bool is_clear(std::span<const Vec2> ring, double margin) const;
 

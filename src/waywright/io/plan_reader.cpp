@@ -136,12 +136,13 @@ Metrics read_metrics(const Node& node) {
 
 Certificate read_certificate(const Node& node) {
   Certificate c;
-  if (!node.is_object_of({"collision_free", "clearance", "tolerance", "checked_length", "tightest"}))
+  if (!node.is_object_of({"collision_free", "clearance", "tolerance", "checked_length", "pocket_clearance", "tightest"}))
     return c;
   c.collision_free = node.at("collision_free").boolean();
   c.clearance = node.at("clearance").number(0.0, 1e9);
   c.tolerance = node.at("tolerance").number(0.0, 1e3);
   c.checked_length = node.at("checked_length").number(0.0, 1e9);
+  if (node.has("pocket_clearance")) c.pocket_clearance = node.at("pocket_clearance").number(0.0, 1e9);
   if (node.has("tightest")) {
     const Node tightest = node.at("tightest");
     if (!tightest.is_object_of({"pose", "point", "obstacle"})) return c;

@@ -90,6 +90,7 @@ Json certificate_to_json(const Certificate& c) {
          {"clearance", written(c.clearance)},
          {"tolerance", c.tolerance},
          {"checked_length", c.checked_length}};
+  if (c.pocket_clearance) j["pocket_clearance"] = written(*c.pocket_clearance);
   if (c.tightest) {
     j["tightest"] = {{"pose", to_json(*c.tightest)},
                      {"point", to_json(c.tightest_point)},

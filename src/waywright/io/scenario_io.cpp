@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
 
 constexpr double longest = 1e4;  // m, of shelves and gaps
+constexpr std::size_t most_pockets = 1000;
 
 /// A list that may stand there as long as it is empty.
 void not_yet(const Node& node, const char* field) {
@@ -56,15 +57,33 @@ Shelf read_shelf(const Node& node) {
   return shelf;
 }
 
+Insertion read_insertion(const Node& node, const Shelf& shelf) {
+  Insertion insertion;
+  if (!node.is_object_of({"depth", "pockets"})) return insertion;
+  insertion.depth = node.at("depth").number_above(0.0, shelf.depth);
+  const Node pockets = node.at("pockets");
+  for (const Node& pocket : pockets.elements()) {
+    if (!pocket.is_array_of(2, "[y0, y1]")) return insertion;
+    const auto edge = [&](std::size_t i) { return pocket.at(i).number(-0.5 * shelf.width, 0.5 * shelf.width); };
+    insertion.pockets.push_back({edge(0), edge(1)});
+    if (node.failed()) return insertion;
+    const auto [right, left] = insertion.pockets.back();
+    if (!(right < left)) pocket.fail(fmt::format("[{}, {}] has no width", right, left), "[y0, y1] with y0 < y1");
+  }
+  if (insertion.pockets.empty()) pockets.fail("there is no pocket", "at least one [y0, y1]");
+  if (insertion.pockets.size() > most_pockets) {
+    pockets.fail(fmt::format("there are {} pockets", insertion.pockets.size()), fmt::format("at most {}", most_pockets));
+  }
+  return insertion;
+}
+
 Station read_station(const Node& node, std::vector<std::string>& notes) {
   Station station;
   if (!node.is_object_of({"area", "shelf", "manoeuvre", "insertion"})) return station;
-  if (node.has("manoeuvre") && node.at("manoeuvre").word({"dock", "undock"}) == "undock") {
-    node.at("manoeuvre").fail("\"undock\" is not supported yet", "dock");
-  }
-  if (node.has("insertion")) node.at("insertion").fail("it is not supported yet");
+  if (node.has("manoeuvre") && node.at("manoeuvre").word({"dock", "undock"}) == "undock") station.manoeuvre = Manoeuvre::undock;
   station.area = read_ring(node.at("area"), notes);
   if (!node.failed()) station.shelf = read_shelf(node.at("shelf"));
+  if (node.has("insertion") && !node.failed()) station.insertion = read_insertion(node.at("insertion"), station.shelf);
   return station;
 }
 
@@ -160,7 +179,7 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder) {
   check_format(node, "scenario");  // first: a newer one may well have fields that are unknown here
   if (node.failed() || !node.is_object_of({"format", "name", "meta", "map", "vehicle", "start", "goal",
                                            "waypoints", "station", "legs", "clearance", "pose_error", "zones",
-                                           "moving", "budget", "planner", "seed"})) {
+                                           "moving", "budget", "planner", "seed", "carried_load"})) {
     return scenario;
   }
   if (node.has("name")) scenario.name = node.at("name").text();
@@ -179,6 +198,7 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder) {
   if (node.failed()) return scenario;
   scenario.start = read_start(node.at("start"));
   scenario.mission = read_mission(node, notes);
+  if (node.has("carried_load")) scenario.carried_load = node.at("carried_load").text();
   if (node.has("clearance")) scenario.clearance = node.at("clearance").number(0.0, 1e3);
   if (node.has("pose_error")) scenario.pose_error = read_pose_error(node.at("pose_error"));
   not_yet(node, "zones");
@@ -240,10 +260,16 @@ Json scenario_to_json(const Scenario& scenario) {
                       {"size", Json::array({shelf.depth, shelf.width})},
                       {"gap", shelf.gap},
                       {"slot", shelf.slot}}},
-                    {"manoeuvre", "dock"}};
+                    {"manoeuvre", station->manoeuvre == Manoeuvre::dock ? "dock" : "undock"}};
+    if (station->insertion) {
+      Json pockets = Json::array();
+      for (const auto& [right, left] : station->insertion->pockets) pockets.push_back(Json::array({right, left}));
+      j["station"]["insertion"] = {{"depth", station->insertion->depth}, {"pockets", std::move(pockets)}};
+    }
   } else {
     j["goal"] = to_json(std::get<Pose>(scenario.mission));
   }
+  if (!scenario.carried_load.empty()) j["carried_load"] = scenario.carried_load;
   j["clearance"] = scenario.clearance;
   j["pose_error"] = {{"lateral", scenario.pose_error.lateral},
                      {"longitudinal", scenario.pose_error.longitudinal},

@@ -49,7 +49,8 @@ TEST(ScenarioIo, ReadsEveryField) {
   EXPECT_EQ(drive.steered_axle, SteeredAxle::front);
   EXPECT_EQ(drive.max_steering_rate, 0.9);
   EXPECT_EQ(s.vehicle.limits.curvature_rate, 1.3);
-  EXPECT_EQ(s.vehicle.forks->size(), 4U);
+  ASSERT_EQ(s.vehicle.forks.size(), 1U);
+  EXPECT_EQ(s.vehicle.forks[0].size(), 4U);
   EXPECT_EQ(s.vehicle.loads.at("drum").footprint.disc, 0.4);
   EXPECT_EQ(s.vehicle.loads.at("pallet").mass, 500.0);
   EXPECT_EQ(s.vehicle.control_point, (Pose{0.1, 0.0, 0.2}));

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double most = 1e6;                      // of speeds, accelerations, curvatures, masses
 constexpr double longest = 1e3;                   // m
+constexpr std::size_t most_forks = 16;            // polygons
 constexpr std::uint64_t largest_file = 16 << 20;  // bytes
 constexpr std::size_t most_corners =
     100'000;  // of one polygon; looking for crossings may take the square of it
@@ -32,6 +33,23 @@ Footprint read_footprint(const Node& node, std::vector<std::string>& notes) {
               fmt::format("at most {} m", longest));
   }
   return footprint;
+}
+
+/// One polygon, or a list of polygons.
+std::vector<Ring> read_forks(const Node& node, std::vector<std::string>& notes) {
+  const Json& json = node.json();
+  const bool is_list = json.is_array() && !json.empty() && json[0].is_array() && !json[0].empty() && json[0][0].is_array();
+  if (!is_list) return {read_ring(node, notes)};
+  if (json.size() > most_forks) {
+    node.fail(fmt::format("there are {} polygons", json.size()), fmt::format("at most {}", most_forks));
+    return {};
+  }
+  std::vector<Ring> forks;
+  for (const Node& fork : node.elements()) {
+    forks.push_back(read_ring(fork, notes));
+    if (node.failed()) return {};
+  }
+  return forks;
 }
 
 Json footprint_to_json(const Footprint& footprint) {
@@ -157,7 +175,7 @@ Vehicle read_vehicle_node(const Node& node, std::vector<std::string>& notes) {
     return vehicle;
   if (node.has("name")) vehicle.name = node.at("name").text();
   vehicle.footprint = read_footprint(node.at("footprint"), notes);
-  if (node.has("forks")) vehicle.forks = read_ring(node.at("forks"), notes);
+  if (node.has("forks")) vehicle.forks = read_forks(node.at("forks"), notes);
   if (node.has("loads")) {
     for (const auto& [name, load] : node.at("loads").members("an object of loads by name")) {
       if (!load.is_object_of({"footprint", "mass"})) break;
@@ -174,7 +192,12 @@ Vehicle read_vehicle_node(const Node& node, std::vector<std::string>& notes) {
 
 Json vehicle_to_json(const Vehicle& vehicle) {
   Json j{{"name", vehicle.name}, {"footprint", footprint_to_json(vehicle.footprint)}};
-  if (vehicle.forks) j["forks"] = to_json(*vehicle.forks);
+  if (vehicle.forks.size() == 1) j["forks"] = to_json(vehicle.forks.front());
+  if (vehicle.forks.size() > 1) {
+    Json forks = Json::array();
+    for (const Ring& fork : vehicle.forks) forks.push_back(to_json(fork));
+    j["forks"] = std::move(forks);
+  }
   if (!vehicle.loads.empty()) {
     Json::object_t
         loads;  // appended without looking for the name each time: there may be many, and they differ

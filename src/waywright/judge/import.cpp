@@ -42,6 +42,47 @@ std::string snap(Piece& piece, bool at_end, const Pose& wanted, const char* name
   return fmt::format("The {} pose of the file was moved onto the scenario's by {:.4f} m and {:.4f} rad.", name, off, turned);
 }
 
+bool is_near(const Pose& a, const Pose& b) {
+  return distance(a.position(), b.position()) <= snap_distance && std::abs(shorter_turn(a.heading, b.heading)) <= snap_angle;
+}
+
+/// Makes the stretch in the shelf a piece of its own, as the proof wants it: added where the poses end docked, cut off as a straight
+/// line where they go on into the shelf without leaving it by more than the snap distance. Returns what to say.
+std::string separate_pocket_stretch(const Problem& problem, Path& path) {
+  const PocketMotion& pocket = *problem.pocket();
+  const bool first = problem.is_driven_back();
+  const Piece stretch = problem.pocket_stretch();
+  const auto end = first ? path.pieces.begin() : path.pieces.end();
+  auto* sequence = std::get_if<PoseSequence>(first ? &path.pieces.front().curve : &path.pieces.back().curve);
+  if (sequence == nullptr) return {};
+  std::vector<Pose>& poses = sequence->poses;
+  if (is_near(first ? poses.front() : poses.back(), pocket.outer)) {
+    (first ? poses.front() : poses.back()) = pocket.outer;
+    path.pieces.insert(end, stretch);
+    return "The file's poses end docked; the straight stretch in the shelf was added.";
+  }
+  const auto in_shelf = [&](const Pose& p) {
+    const Vec2 along = Frame{pocket.outer}.to_local(p.position());
+    return along.x >= -snap_distance && std::abs(along.y) <= snap_distance && std::abs(shorter_turn(p.heading, pocket.outer.heading)) <= snap_angle;
+  };
+  std::size_t count = 0;
+  while (count < poses.size() && in_shelf(first ? poses[count] : poses[poses.size() - 1 - count])) ++count;
+  if (count == 0 || !is_near(first ? poses.front() : poses.back(), pocket.inner)) return {};
+  const auto cut = static_cast<std::ptrdiff_t>(count);
+  if (first) {
+    poses.erase(poses.begin(), poses.begin() + cut);
+    poses.insert(poses.begin(), pocket.outer);
+  } else {
+    poses.erase(poses.end() - cut, poses.end());
+    poses.push_back(pocket.outer);
+  }
+  if (poses.size() < 2) {
+    path.pieces.erase(first ? path.pieces.begin() : path.pieces.end() - 1);
+  }
+  path.pieces.insert(first ? path.pieces.begin() : path.pieces.end(), stretch);
+  return fmt::format("The last {} poses in the shelf were taken as the straight stretch between the docked pose and the forks' place there.", count);
+}
+
 }  // namespace
 
 Plan judge_imported(const Problem& problem, Path path) {
@@ -53,8 +94,9 @@ Plan judge_imported(const Problem& problem, Path path) {
     for_each_pose(path, [&](Pose& p) { p = origin_of(p, control); });
     explanation.emplace_back("The file's poses are those of the control point; they were brought to the vehicle's origin.");
   }
-  for (const auto& said : {snap(path.pieces.front(), false, problem.start(), "first"),
-                           snap(path.pieces.back(), true, problem.goal(), "last")}) {
+  const std::string pocket_said = problem.pocket() ? separate_pocket_stretch(problem, path) : std::string{};
+  for (const auto& said : {pocket_said, snap(path.pieces.front(), false, problem.first_pose(), "first"),
+                           snap(path.pieces.back(), true, problem.last_pose(), "last")}) {
     if (!said.empty()) explanation.push_back(said);
   }
   Plan plan = judge(problem, std::move(path));

@@ -36,6 +36,15 @@ std::string joined(const std::vector<Violation>& violations) {
 
 }  // namespace
 
+std::vector<double> clearances_along(const Problem& problem, const Path& path, const std::vector<Sample>& samples) {
+  const std::optional<std::size_t> pocket_piece = problem.pocket_piece(path);
+  return clearances(samples, [&](const Sample& s) {
+    const bool in_shelf = pocket_piece == s.piece && s.pose().position() != problem.pocket()->outer.position();
+    if (!in_shelf) return problem.world().clearance(problem.footprint(), s.pose(), clearance_cap).clearance;
+    return contacts_at(*problem.pocket(), problem.world(), problem.footprint(), s.pose(), clearance_cap).vehicle.clearance;
+  });
+}
+
 Plan failed_plan(const Problem& problem, const Failure& failure) {
   Plan plan = empty_plan(problem);
   plan.status = failure.status;
@@ -56,9 +65,9 @@ Plan judge(const Problem& problem, Path path) {
   if (!check_form(plan.path).empty()) return plan;
 
   const Vehicle& vehicle = problem.vehicle();
-  plan.samples = sample(plan.path, vehicle.footprint.radius(), proof.certificate.tolerance);
+  plan.samples = sample(plan.path, problem.footprint().radius(), proof.certificate.tolerance);
   assign_speed(plan.samples, vehicle);
-  plan.metrics = measure(plan.path, plan.samples, clearances(plan.samples, problem.world(), vehicle.footprint));
+  plan.metrics = measure(plan.path, plan.samples, clearances_along(problem, plan.path, plan.samples));
   return plan;
 }
 

@@ -10,6 +10,9 @@ namespace waywright {
 /// Nothing here knows of planners.
 Plan judge(const Problem& problem, Path path);
 
+/// Clearance of what drives at each sample of a path, m, capped; on the stretch in a shelf's pocket that of everything but the forks.
+std::vector<double> clearances_along(const Problem& problem, const Path& path, const std::vector<Sample>& samples);
+
 /// A plan without a path.
 Plan failed_plan(const Problem& problem, const Failure& failure);
 

@@ -147,13 +147,17 @@ Parsed<Verification> verify(const Plan& plan) {
   if (auto ends = problem->check_ends()) findings.push_back(ends->reason);
   if (fresh.status != Status::solved) findings.push_back(fresh.reason);
   if (!fresh.samples.empty()) {
-    check_samples(plan.samples, fresh.samples, problem->vehicle().footprint.radius(), fresh.certificate.tolerance, findings);
+    check_samples(plan.samples, fresh.samples, problem->footprint().radius(), fresh.certificate.tolerance, findings);
     check_speed(plan.samples, problem->vehicle(), findings);
     check_metrics(plan, fresh, findings);
   }
   if (plan.certificate.clearance > fresh.certificate.clearance + fresh.certificate.tolerance) {
     findings.push_back(fmt::format("the file claims a clearance of {:.5f} m, {:.5f} m could be proven",
                                    plan.certificate.clearance, fresh.certificate.clearance));
+  }
+  if (plan.certificate.pocket_clearance.value_or(0.0) > fresh.certificate.pocket_clearance.value_or(0.0) + fresh.certificate.tolerance) {
+    findings.push_back(fmt::format("the file claims a clearance of {:.5f} m in the pocket, {:.5f} m could be proven",
+                                   *plan.certificate.pocket_clearance, fresh.certificate.pocket_clearance.value_or(0.0)));
   }
   if (plan.certificate.collision_free && !fresh.certificate.collision_free) {
     findings.emplace_back("the file claims to be free of collision, which could not be proven");

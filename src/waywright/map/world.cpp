@@ -50,16 +50,18 @@ void World::add_ring_edges(const Ring& ring, std::size_t source) {
   }
 }
 
-void World::add_boundary(const Ring& ring, std::string name) {
+std::size_t World::add_boundary(const Ring& ring, std::string name) {
   const std::size_t source = add_source(std::move(name), true);
   boundaries_.push_back({ring, bounding_box(ring), source});
   add_ring_edges(ring, source);
+  return source;
 }
 
-void World::add_obstacle(const Ring& ring, std::string name) {
+std::size_t World::add_obstacle(const Ring& ring, std::string name) {
   const std::size_t source = add_source(std::move(name), false);
   obstacles_.push_back({ring, bounding_box(ring), source});
   add_ring_edges(ring, source);
+  return source;
 }
 
 /// The outline between blocked and free cells, straight runs merged: with the inside test it is the exact union of the cells.
@@ -98,7 +100,7 @@ void World::build() {
   segments_.clear();
 }
 
-bool World::inside_blocked(Vec2 point, Contact& contact) const {
+bool World::inside_blocked(Vec2 point, Contact& contact, std::size_t without) const {
   contact.clearance = 0.0;
   contact.point = point;
   for (const NamedRing& boundary : boundaries_) {
@@ -108,7 +110,7 @@ bool World::inside_blocked(Vec2 point, Contact& contact) const {
     return true;
   }
   for (const NamedRing& obstacle : obstacles_) {
-    if (!obstacle.box.contains(point) || !contains(obstacle.ring, point)) continue;
+    if (obstacle.source == without || !obstacle.box.contains(point) || !contains(obstacle.ring, point)) continue;
     contact.source = obstacle.source;
     return true;
   }
@@ -128,10 +130,10 @@ bool World::inside_blocked(Vec2 point, Contact& contact) const {
   return false;
 }
 
-Contact World::clearance(std::span<const Vec2> ring, double radius, double enough) const {
+Contact World::clearance(std::span<const Vec2> ring, double radius, double enough, std::size_t without) const {
   Contact contact;
-  if (inside_blocked(ring.front(), contact)) return contact;
-  const Nearest nearest = index_.nearest(ring, enough + radius);
+  if (inside_blocked(ring.front(), contact, without)) return contact;
+  const Nearest nearest = index_.nearest(ring, enough + radius, without);
   contact.clearance = std::max(0.0, nearest.distance - radius);
   if (nearest.found) {
     contact.point = nearest.point;
@@ -141,8 +143,8 @@ Contact World::clearance(std::span<const Vec2> ring, double radius, double enoug
   return contact;
 }
 
-Contact World::clearance(const Footprint& footprint, const Pose& pose, double enough) const {
-  return clearance(PlacedOutline{footprint, pose}.ring(), footprint.is_disc() ? footprint.disc : 0.0, enough);
+Contact World::clearance(const Footprint& footprint, const Pose& pose, double enough, std::size_t without) const {
+  return clearance(PlacedOutline{footprint, pose}.ring(), footprint.is_disc() ? footprint.disc : 0.0, enough, without);
 }
 
 bool World::is_free(const Footprint& footprint, const Pose& pose, double margin) const {

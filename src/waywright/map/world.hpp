@@ -41,16 +41,19 @@ class World {
   explicit World(const Map& map);
 
   /// Adds before `build()`.
-  void add_boundary(const Ring& ring, std::string name);
-  void add_obstacle(const Ring& ring, std::string name);
+  std::size_t add_boundary(const Ring& ring, std::string name);  ///< its source
+  std::size_t add_obstacle(const Ring& ring, std::string name);
   void build();
 
+  static constexpr std::size_t nothing = static_cast<std::size_t>(-1);
+
   /// Exact clearance of the footprint at a pose: the least distance from its area to anything blocked, 0 on contact.
-  /// Where it is at least `enough` the search may stop early and return any lower bound ≥ enough.
-  Contact clearance(const Footprint& footprint, const Pose& pose, double enough) const;
+  /// Where it is at least `enough` the search may stop early and return any lower bound ≥ enough. `without`: a source
+  /// that is not looked at.
+  Contact clearance(const Footprint& footprint, const Pose& pose, double enough, std::size_t without = nothing) const;
 
   /// The same for the area of a closed ring in the world frame (one or two points allowed), grown by `radius`.
-  Contact clearance(std::span<const Vec2> ring, double radius, double enough) const;
+  Contact clearance(std::span<const Vec2> ring, double radius, double enough, std::size_t without = nothing) const;
 
   /// True where clearance(footprint, pose) > margin. Cheaper than asking for the distance.
   bool is_free(const Footprint& footprint, const Pose& pose, double margin) const;
@@ -87,7 +90,7 @@ class World {
   void add_ring_edges(const Ring& ring, std::size_t source);
   void add_grid(const CellGrid& grid);
   /// Contact where a point of the body stands inside something solid or outside a boundary.
-  bool inside_blocked(Vec2 point, Contact& contact) const;
+  bool inside_blocked(Vec2 point, Contact& contact, std::size_t without = nothing) const;
 
   Map map_;
   std::vector<NamedRing> boundaries_;

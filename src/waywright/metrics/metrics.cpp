@@ -111,17 +111,15 @@ double risk(double clearance) {
 
 }  // namespace
 
-std::vector<double> clearances(const std::vector<Sample>& samples, const World& world,
-                               const Footprint& footprint) {
+std::vector<double> clearances(const std::vector<Sample>& samples, const std::function<double(const Sample&)>& at) {
   std::vector<double> found;
   found.reserve(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (i > 0 && samples[i].pose() == samples[i - 1].pose()) {
+    if (i > 0 && samples[i].pose() == samples[i - 1].pose() && samples[i].piece == samples[i - 1].piece) {
       found.push_back(found.back());
       continue;
     }
-    found.push_back(
-        std::min(clearance_cap, world.clearance(footprint, samples[i].pose(), clearance_cap).clearance));
+    found.push_back(std::min(clearance_cap, at(samples[i])));
   }
   return found;
 }

@@ -1,11 +1,10 @@
 // Every figure of merit of a path, each with its formula.
 #pragma once
 
+#include <functional>
 #include <vector>
 
-#include "waywright/map/world.hpp"
 #include "waywright/path/path.hpp"
-#include "waywright/vehicle/vehicle.hpp"
 
 namespace waywright {
 
@@ -26,8 +25,8 @@ struct Metrics {
 inline constexpr double clearance_cap = 10.0;  ///< m; clearance beyond it says nothing more
 inline constexpr double risk_scale = 0.5;      ///< m
 
-/// Clearance of the footprint at each sample, m, capped at clearance_cap.
-std::vector<double> clearances(const std::vector<Sample>& samples, const World& world, const Footprint& footprint);
+/// Clearance at each sample, m, capped at clearance_cap; `at` tells that of one.
+std::vector<double> clearances(const std::vector<Sample>& samples, const std::function<double(const Sample&)>& at);
 
 /// @pre samples come from path and carry t
 Metrics measure(const Path& path, const std::vector<Sample>& samples, const std::vector<double>& clearances);

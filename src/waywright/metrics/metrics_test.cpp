@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "waywright/curve/bezier.hpp"
+#include "waywright/map/world.hpp"
 
 namespace waywright {
 namespace {
@@ -20,7 +21,7 @@ World world_of(const Map& map) {
 
 Metrics measured(const Path& path, const World& world, const Footprint& footprint) {
   const auto samples = sample(path, footprint.radius(), tolerance);
-  return measure(path, samples, clearances(samples, world, footprint));
+  return measure(path, samples, clearances(samples, [&](const Sample& at) { return world.clearance(footprint, at.pose(), clearance_cap).clearance; }));
 }
 
 Metrics measured(const Path& path) {
@@ -146,7 +147,8 @@ TEST(Metrics, ContactIsNoClearance) {
   map.obstacles = {rectangle({2, -1}, {3, 1})};
   const Footprint footprint{.polygon = rectangle({-0.5, -0.4}, {1.0, 0.4}), .disc = 0.0};
   const auto samples = sample(line_path({0, 0}, {5, 0}), footprint.radius(), tolerance);
-  const auto found = clearances(samples, world_of(map), footprint);
+  const World world = world_of(map);
+  const auto found = clearances(samples, [&](const Sample& at) { return world.clearance(footprint, at.pose(), clearance_cap).clearance; });
   ASSERT_EQ(found.size(), samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double front = 2.0 - (samples[i].x + 1.0);

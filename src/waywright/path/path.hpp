@@ -48,6 +48,9 @@ double length(const Path& path);
 double start_curvature(const Piece& piece);
 double end_curvature(const Piece& piece);
 
+/// The same places driven the other way, last to first; the vehicle faces as before. Law: reversed twice is the same up to rounding.
+Path reversed(const Path& path);
+
 /// Samples at most `step` metres and `step` radians apart, and so dense that straight interpolation of the poses stays
 /// within `tolerance` of the true motion for every point at most `radius` from the vehicle's origin.
 /// First = start, last = end; t and speed are left at 0 (speed/ fills them).

@@ -22,6 +22,25 @@ std::string proof_sentence(const Problem& problem, const Plan& plan) {
   return text + ".";
 }
 
+/// What the mission adds to what the planner was asked.
+void explain_mission(const Problem& problem, const Plan& plan, std::vector<std::string>& text) {
+  const Scenario& scenario = problem.scenario();
+  if (problem.is_driven_back()) {
+    text.insert(text.begin(), "The way out was planned as the way of docking from the last pose, and is driven back.");
+  }
+  if (!scenario.carried_load.empty()) {
+    text.push_back(fmt::format("The load \"{}\" is carried all the way and belongs to the footprint{}.", scenario.carried_load,
+                               problem.pocket() ? "; only between the docked pose and the forks' place in the shelf it may overlap the shelf" : ""));
+  }
+  if (problem.pocket() && plan.certificate.pocket_clearance && plan.certificate.collision_free) {
+    const Insertion& insertion = *std::get<Station>(scenario.mission).insertion;
+    text.push_back(fmt::format("The forks move straight for {:.2f} m, to {:.2f} m behind the shelf's face; no more than they enter the shelf, and they keep at least "
+                               "{:.4f} m from its parts beside the pockets at every pose within the pose error.",
+                               distance(problem.pocket()->outer.position(), problem.pocket()->inner.position()), insertion.depth,
+                               *plan.certificate.pocket_clearance));
+  }
+}
+
 }  // namespace
 
 Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
@@ -45,9 +64,10 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
 
   Plan plan;
   if (result) {
-    plan = judge(problem, std::move(result->path));
+    plan = judge(problem, problem.whole_path(std::move(result->path)));
     plan.explanation = std::move(result->explanation);
     plan.alternatives = std::move(result->alternatives);
+    explain_mission(problem, plan, plan.explanation);
     plan.explanation.push_back(plan.status == Status::solved ? proof_sentence(problem, plan)
                                                              : "This path is not proven: " + plan.reason + ".");
   } else {

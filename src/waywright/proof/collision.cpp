@@ -22,8 +22,8 @@ double rounding_slack(const MotionInterval& interval, double radius) {
 
 class Search {
  public:
-  Search(const World& world, const Footprint& footprint, double tolerance)
-      : world_{world}, footprint_{footprint}, tolerance_{tolerance}, radius_{footprint.radius()} {
+  Search(const World& world, const Footprint& footprint, double tolerance, std::size_t without)
+      : world_{world}, footprint_{footprint}, tolerance_{tolerance}, without_{without}, radius_{footprint.radius()} {
     if (footprint.is_disc()) {
       parts_ = {Ring{Vec2{}}};
       rotating_radius_ = 0.0;
@@ -70,7 +70,7 @@ class Search {
 
   void look_at(const Pose& pose) {
     ++best_.queries;
-    const Contact contact = world_.clearance(footprint_, pose, best_.upper);
+    const Contact contact = world_.clearance(footprint_, pose, best_.upper, without_);
     if (contact.clearance < best_.upper) {
       best_.upper = contact.clearance;
       best_.tightest = pose;
@@ -89,9 +89,9 @@ class Search {
       corners_.clear();
       for (const Vec2 p : part) corners_.push_back(a.to_world(p));
       for (const Vec2 p : part) corners_.push_back(b.to_world(p));
-      hull_ = corners_.size() > 2 ? convex_hull(corners_) : corners_;
+      convex_hull(corners_, hull_);
       ++best_.queries;
-      least = std::min(least, world_.clearance(hull_, grown_, enough).clearance);
+      least = std::min(least, world_.clearance(hull_, grown_, enough, without_).clearance);
     }
     return least - deviation;
   }
@@ -99,6 +99,7 @@ class Search {
   const World& world_;
   const Footprint& footprint_;
   double tolerance_;
+  std::size_t without_;
   double radius_;
   double rotating_radius_ = 0.0;
   double grown_ = 0.0;
@@ -110,8 +111,8 @@ class Search {
 }  // namespace
 
 SweptClearance swept_clearance(const World& world, const Footprint& footprint,
-                               const std::vector<MotionInterval>& intervals, double tolerance) {
-  return Search{world, footprint, tolerance}.run(intervals);
+                               const std::vector<MotionInterval>& intervals, double tolerance, std::size_t without) {
+  return Search{world, footprint, tolerance, without}.run(intervals);
 }
 
 }  // namespace waywright

@@ -24,7 +24,9 @@ struct SweptClearance {
 ///
 /// For each interval the convex parts of the footprint at its two ends span hulls; every pose between lies in these hulls grown
 /// by the interval's deviation. Where a hull comes too near, the interval is halved: hull and deviation shrink quadratically.
+/// `without`: a source of the world that is not looked at.
 SweptClearance swept_clearance(const World& world, const Footprint& footprint,
-                               const std::vector<MotionInterval>& intervals, double tolerance);
+                               const std::vector<MotionInterval>& intervals, double tolerance,
+                               std::size_t without = World::nothing);
 
 }  // namespace waywright

@@ -154,7 +154,7 @@ std::vector<Violation> check_continuity(const Problem& problem, const Path& path
                                       turned * 180.0 / pi),
                           is});
   };
-  compare(start_pose(path), problem.start(), "the path misses the start pose");
+  compare(start_pose(path), problem.first_pose(), "the path misses the start pose");
   for (std::size_t i = 0; i < path.pieces.size(); ++i) {
     const std::vector<MotionInterval> intervals = MotionInterval::of(path.pieces[i]);
     for (std::size_t k = 0; k + 1 < intervals.size(); ++k) {
@@ -164,7 +164,7 @@ std::vector<Violation> check_continuity(const Problem& problem, const Path& path
       compare(start_pose(path.pieces[i + 1]), end_pose(path.pieces[i]), fmt::format("the path jumps after piece {}", i));
     }
   }
-  compare(end_pose(path), problem.goal(), "the path misses the goal pose");
+  compare(end_pose(path), problem.last_pose(), "the path misses the goal pose");
   return violations;
 }
 

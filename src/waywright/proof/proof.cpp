@@ -18,6 +18,55 @@ void append(std::vector<Violation>& all, std::vector<Violation> more) {
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
+/// What is proven of one body against one world; the world names what is tightest.
+struct Finding {
+  SweptClearance swept;
+  const World* world = nullptr;
+};
+
+/// A bound, and a finer one where the first is just short of what is required.
+SweptClearance swept_against(double required, const World& world, const Footprint& footprint,
+                             const std::vector<MotionInterval>& motion, double tolerance, std::size_t without = World::nothing) {
+  SweptClearance swept = swept_clearance(world, footprint, motion, tolerance, without);
+  if (swept.complete && swept.lower < required && swept.upper >= required - comparison_slack) {
+    swept = swept_clearance(world, footprint, motion, fine_tolerance, without);
+  }
+  return swept;
+}
+
+/// The tighter of two, and the work of both.
+void merge(Finding& all, const SweptClearance& swept, const World& world) {
+  const std::int64_t queries = all.swept.queries + swept.queries;
+  const bool complete = all.swept.complete && swept.complete;
+  const double lower = std::min(all.swept.lower, swept.lower);
+  const double length = all.swept.length;
+  if (swept.upper < all.swept.upper) all = {swept, &world};
+  all.swept.queries = queries;
+  all.swept.complete = complete;
+  all.swept.lower = lower;
+  all.swept.length = length;
+}
+
+std::string place(const Finding& finding) {
+  const SweptClearance& s = finding.swept;
+  return fmt::format("{} at ({:.3f}, {:.3f}), vehicle at ({:.3f}, {:.3f}, {:.4f} rad)", finding.world->source_name(s.contact.source),
+                     s.contact.point.x, s.contact.point.y, s.tightest.x, s.tightest.y, s.tightest.heading);
+}
+
+std::optional<Violation> too_near(const Finding& finding, const char* what, double margin) {
+  if (!finding.swept.complete) {
+    return Violation{fmt::format("the collision proof ended undecided after {} distance queries", finding.swept.queries),
+                     finding.swept.tightest};
+  }
+  if (finding.swept.lower > margin) return std::nullopt;
+  const std::string where = place(finding);
+  return Violation{finding.swept.upper <= 0.0
+                       ? fmt::format("{} {} {}", what, std::string_view{what}.ends_with('s') ? "touch" : "touches", where)
+                       : fmt::format("within the pose error {} can touch {}: {:.4f} m of clearance, {:.4f} m of pose error", what, where,
+                                     finding.swept.upper, margin),
+                   finding.swept.tightest};
+}
+
 }  // namespace
 
 Proof prove(const Problem& problem, const Path& path, const ProofOptions& options) {
@@ -29,45 +78,60 @@ Proof prove(const Problem& problem, const Path& path, const ProofOptions& option
   append(proof.violations, check_continuity(problem, path, options));
   append(proof.violations, check_limits(problem.vehicle(), path));
 
-  std::vector<MotionInterval> intervals;
-  for (const Piece& piece : path.pieces) {
-    std::vector<MotionInterval> more = MotionInterval::of(piece);
-    intervals.insert(intervals.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  // What is driven in the open, and the stretch in the shelf.
+  const std::optional<std::size_t> pocket_piece = problem.pocket_piece(path);
+  if (problem.pocket() && !pocket_piece) {
+    proof.violations.push_back({"the straight stretch between the docked pose and the forks' place in the shelf does not stand as one line at the path's "
+                                "end in the shelf",
+                                std::nullopt});
   }
-  const Footprint& footprint = problem.vehicle().footprint;
+  std::vector<MotionInterval> open, in_shelf;
+  for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+    std::vector<MotionInterval> more = MotionInterval::of(path.pieces[i]);
+    std::vector<MotionInterval>& motion = pocket_piece == i ? in_shelf : open;
+    motion.insert(motion.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  }
+
   const double margin = problem.pose_error_margin();
   const double required = problem.required_clearance();
-  SweptClearance swept = swept_clearance(problem.world(), footprint, intervals, options.tolerance);
-  if (swept.complete && swept.lower < required && swept.upper >= required - comparison_slack) {
-    swept = swept_clearance(problem.world(), footprint, intervals, fine_tolerance);
+  Finding finding{swept_against(required, problem.world(), problem.footprint(), open, options.tolerance), &problem.world()};
+  Certificate& certificate = proof.certificate;
+  certificate.checked_length = finding.swept.length;
+  std::optional<Finding> forks;
+  if (pocket_piece) {
+    const PocketMotion& pocket = *problem.pocket();
+    for (const MotionInterval& interval : in_shelf) certificate.checked_length += interval.length();
+    merge(finding, swept_against(required, problem.world(), problem.footprint(), in_shelf, options.tolerance, pocket.shelf_source),
+          problem.world());
+    for (const Ring& ring : pocket.rest) {
+      merge(finding, swept_against(required, pocket.shelf, Footprint{ring, 0.0}, in_shelf, options.tolerance), pocket.shelf);
+    }
+    for (const Ring& fork : pocket.forks) {
+      const SweptClearance swept = swept_against(margin, pocket.beside_pockets, Footprint{fork, 0.0}, in_shelf, options.tolerance);
+      if (forks) merge(*forks, swept, pocket.beside_pockets);
+      else forks = Finding{swept, &pocket.beside_pockets};
+    }
+    certificate.pocket_clearance = std::max(0.0, forks->swept.lower - margin);
   }
 
-  Certificate& certificate = proof.certificate;
-  certificate.checked_length = swept.length;
+  const SweptClearance& swept = finding.swept;
   certificate.tightest = swept.tightest;
   certificate.tightest_point = swept.contact.point;
-  certificate.tightest_obstacle = problem.world().empty() ? "" : problem.world().source_name(swept.contact.source);
+  certificate.tightest_obstacle = problem.world().empty() ? "" : finding.world->source_name(swept.contact.source);
   certificate.clearance = std::max(0.0, swept.lower - margin);
   certificate.collision_free = swept.complete && swept.lower > margin;
+  if (forks) certificate.collision_free &= forks->swept.complete && forks->swept.lower > margin;
 
-  if (!swept.complete) {
-    proof.violations.push_back({fmt::format("the collision proof ended undecided after {} distance queries", swept.queries),
-                                swept.tightest});
-  } else if (!certificate.collision_free) {
-    const std::string where = fmt::format("{} at ({:.3f}, {:.3f}), vehicle at ({:.3f}, {:.3f}, {:.4f} rad)",
-                                          certificate.tightest_obstacle, swept.contact.point.x, swept.contact.point.y,
-                                          swept.tightest.x, swept.tightest.y, swept.tightest.heading);
-    proof.violations.push_back(
-        {swept.upper <= 0.0 ? fmt::format("the footprint touches {}", where)
-                            : fmt::format("within the pose error the footprint can touch {}: {:.4f} m of clearance, {:.4f} m of "
-                                          "pose error",
-                                          where, swept.upper, margin),
-         swept.tightest});
+  if (auto violation = too_near(finding, "the footprint", margin)) {
+    proof.violations.push_back(*violation);
   } else if (certificate.clearance < problem.scenario().clearance - comparison_slack) {
     proof.violations.push_back({fmt::format("the proven clearance is {:.4f} m, under the {:.4f} m asked for; tightest against {}",
                                             certificate.clearance, problem.scenario().clearance,
                                             certificate.tightest_obstacle),
                                 swept.tightest});
+  }
+  if (forks) {
+    if (auto violation = too_near(*forks, "the forks", margin)) proof.violations.push_back(*violation);
   }
   return proof;
 }

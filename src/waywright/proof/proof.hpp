@@ -16,6 +16,9 @@ struct Certificate {
   double clearance = 0.0;         ///< m, proven lower bound over the continuous motion and the pose error
   double tolerance = 0.0005;      ///< m, the bound is at most this under the truth (at nominal poses)
   double checked_length = 0.0;    ///< m of path that the proof covered
+  /// m, proven lower bound between the forks and the shelf beside its pockets, pose error taken off; only with an insertion. On that
+  /// stretch `clearance` is that of everything else.
+  std::optional<double> pocket_clearance;
   std::optional<Pose> tightest;   ///< the pose with the least clearance found
   Vec2 tightest_point{};          ///< the obstacle's point there
   std::string tightest_obstacle;  ///< its name

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "waywright/metrics/metrics.hpp"
+#include "waywright/judge/judge.hpp"
 #include "waywright/report/chart.hpp"
 #include "waywright/report/scene.hpp"
 
@@ -75,7 +75,7 @@ std::string charts(const Problem& problem, const Plan& plan) {
   Chart curvature{"Curvature in 1/m (left positive)", {}, {}, {}, {}, true};
   Chart clearance{"Clearance in m", {}, {}, {}, {}, true};
   Chart speed{"Speed in m/s", {}, {}, {}, {}, true};
-  const std::vector<double> d = clearances(plan.samples, problem.world(), plan.scenario.vehicle.footprint);
+  const std::vector<double> d = clearances_along(problem, plan.path, plan.samples);
   for (std::size_t i = 0; i < plan.samples.size(); ++i) {
     const Sample& s = plan.samples[i];
     for (Chart* chart : {&curvature, &clearance, &speed}) {
@@ -127,7 +127,7 @@ std::string parameter_words(const Parameters& parameters) {
   return text;
 }
 
-std::vector<Row> scenario_rows(const Plan& plan) {
+std::vector<Row> scenario_rows(const Problem& problem, const Plan& plan) {
   const Scenario& s = plan.scenario;
   std::vector<Row> rows{
       {"Vehicle", s.vehicle.name.empty() ? "(no name)" : s.vehicle.name, drive_words(s.vehicle)},
@@ -135,12 +135,23 @@ std::vector<Row> scenario_rows(const Plan& plan) {
       {"Start", fmt::format("({:.3f}, {:.3f}), {:.2f}°", s.start.x, s.start.y, s.start.heading * 180.0 / pi), ""},
   };
   if (const auto* station = std::get_if<Station>(&s.mission)) {
-    const Pose d = station->shelf.docked(s.vehicle.footprint.front());
+    const Pose& d = problem.goal();
     rows.push_back({"Docked pose", fmt::format("({:.3f}, {:.3f}), {:.2f}°", d.x, d.y, d.heading * 180.0 / pi),
                     fmt::format("fork tips {} m before the face, slot {} m", fixed(station->shelf.gap, 3), fixed(station->shelf.slot, 3))});
   } else {
     const Pose& g = std::get<Pose>(s.mission);
     rows.push_back({"Goal", fmt::format("({:.3f}, {:.3f}), {:.2f}°", g.x, g.y, g.heading * 180.0 / pi), ""});
+  }
+  if (problem.pocket()) {
+    const Pose& p = problem.pocket()->inner;
+    rows.push_back({"Forks in the shelf", fmt::format("({:.3f}, {:.3f}), {:.2f}°", p.x, p.y, p.heading * 180.0 / pi),
+                    fmt::format("fork tips {} m behind the face", fixed(std::get<Station>(s.mission).insertion->depth, 3))});
+  }
+  if (!s.carried_load.empty()) {
+    const double mass = s.vehicle.loads.at(s.carried_load).mass;
+    rows.push_back({"Load", s.carried_load,
+                    fmt::format("{} kg{}; {}", fixed(mass, 1), s.vehicle.mass > 0.0 ? fmt::format(", {} kg with the vehicle", fixed(mass + s.vehicle.mass, 1)) : "",
+                                footprint_words(problem.footprint()))});
   }
   rows.push_back({"Clearance asked for", fmt::format("{} m", fixed(s.clearance, 4)), ""});
   rows.push_back({"Pose error", fmt::format("{} m lateral, {} m longitudinal, {} rad heading", fixed(s.pose_error.lateral, 4),
@@ -184,7 +195,7 @@ th{font-weight:600}tr.chosen{background:var(--tint)}ul{padding-left:20px;margin:
 
 }  // namespace
 
-std::string plan_svg(const Problem&, const Plan& plan) { return scene_svg(plan, picture_width); }
+std::string plan_svg(const Problem& problem, const Plan& plan) { return scene_svg(problem, plan, picture_width); }
 
 std::string report_html(const Problem& problem, const Plan& plan) {
   const bool good = plan.status == Status::solved;
@@ -193,7 +204,7 @@ std::string report_html(const Problem& problem, const Plan& plan) {
                                 "<title>{}</title>\n<style>{}</style></head>\n<body>\n<h1>{}</h1>\n<p class=\"verdict {}\">{}</p>\n",
                                 escaped(name), page_styles, escaped(name), good ? "good" : "bad", escaped(headline(plan)));
   if (!plan.reason.empty()) out += fmt::format("<p>{}</p>\n", escaped(plan.reason));
-  out += "<div class=\"columns\"><div class=\"wide\">\n" + scene_svg(plan, picture_width) + "</div><div>\n";
+  out += "<div class=\"columns\"><div class=\"wide\">\n" + scene_svg(problem, plan, picture_width) + "</div><div>\n";
   if (!plan.explanation.empty()) {
     out += "<h2>Why this path</h2>\n<ul>\n";
     if (plan.path.pieces.empty()) out.replace(out.rfind("Why this path"), 13, "What happened");
@@ -215,7 +226,7 @@ std::string report_html(const Problem& problem, const Plan& plan) {
                              plan.certificate.checked_length, plan.certificate.clearance, 1000.0 * plan.certificate.tolerance)
                : "<p>No clearance could be proven for this path.</p>\n";
   }
-  out += "<h2>Scenario</h2>\n" + table(scenario_rows(plan));
+  out += "<h2>Scenario</h2>\n" + table(scenario_rows(problem, plan));
   out += fmt::format("<p class=\"soft\">waywright {}</p>\n<p class=\"soft\" id=\"timing\">load {:.1f} ms, prepare {:.1f} ms, plan {:.1f} ms, prove {:.1f} ms</p>\n</body>\n</html>\n",
                      escaped(plan.version), 1000.0 * plan.timing.load, 1000.0 * plan.timing.prepare, 1000.0 * plan.timing.plan,
                      1000.0 * plan.timing.prove);

@@ -12,7 +12,7 @@ namespace waywright {
 namespace {
 
 constexpr double margin = 1.0;          // m around what is shown
-constexpr double sweep_step = 0.08;     // m between the footprints of the swept area
+constexpr double sweep_step = 0.03;     // m between the footprints of the swept area
 constexpr double ghost_step = 0.75;     // m between drawn outlines
 constexpr std::size_t most_runs = 40000;  // of cells
 constexpr double legend_height = 78.0;  // px
@@ -26,23 +26,19 @@ Ring outline_at(const Footprint& footprint, const Pose& pose) {
   return ring;
 }
 
-Pose goal_of(const Scenario& scenario) {
-  if (const auto* station = std::get_if<Station>(&scenario.mission)) return station->shelf.docked(scenario.vehicle.footprint.front());
-  return std::get<Pose>(scenario.mission);
-}
-
 /// What must be seen: start, goal, station, path; the map is cropped to it.
-Box region_of(const Scenario& scenario, const std::vector<const Plan*>& plans) {
+Box region_of(const Problem& problem, const std::vector<const Plan*>& plans) {
+  const Scenario& scenario = problem.scenario();
   std::vector<Vec2> points;
   const auto add = [&](const Ring& ring) { points.insert(points.end(), ring.begin(), ring.end()); };
-  add(outline_at(scenario.vehicle.footprint, scenario.start));
-  add(outline_at(scenario.vehicle.footprint, goal_of(scenario)));
+  add(outline_at(problem.footprint(), problem.first_pose()));
+  add(outline_at(problem.footprint(), problem.last_pose()));
   if (const auto* station = std::get_if<Station>(&scenario.mission)) {
     add(station->area);
     add(station->shelf.outline());
   }
   for (const Plan* plan : plans) {
-    for (std::size_t i = 0; i < plan->samples.size(); i += 10) add(outline_at(scenario.vehicle.footprint, plan->samples[i].pose()));
+    for (std::size_t i = 0; i < plan->samples.size(); i += 10) add(outline_at(problem.footprint(), plan->samples[i].pose()));
   }
   Box box = bounding_box(points);
   // A map that is not much larger is shown whole.
@@ -94,14 +90,19 @@ void draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region) {
     svg.polygon(station->area, "area");
     const Ring shelf = station->shelf.outline();
     svg.polygon(shelf, "shelf");
+    if (station->insertion) {
+      for (const auto& [right, left] : station->insertion->pockets) {
+        svg.polygon(transformed(rectangle({-station->shelf.depth, right}, {0.0, left}), station->shelf.face()), "pocket");
+      }
+    }
     svg.line(shelf[1], shelf[2], "face");
   }
 }
 
-void draw_vehicle(SvgWriter& svg, const Vehicle& vehicle, const Pose& pose, const char* name) {
-  svg.polygon(outline_at(vehicle.footprint, pose), "vehicle");
+void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose, const char* name) {
+  svg.polygon(outline_at(footprint, pose), "vehicle");
   const Frame frame{pose};
-  const double front = vehicle.footprint.front();
+  const double front = footprint.front();
   const Vec2 tip = frame.to_world(Vec2{front, 0.0});
   svg.line(pose.position(), tip, "heading");
   const double head = std::min(0.25, 0.3 * std::max(front, 0.2));
@@ -129,7 +130,7 @@ void draw_path(SvgWriter& svg, const std::vector<Sample>& samples) {
   }
 }
 
-void draw_sweep(SvgWriter& svg, const Vehicle& vehicle, const std::vector<Sample>& samples) {
+void draw_sweep(SvgWriter& svg, const Footprint& footprint, const std::vector<Sample>& samples) {
   std::vector<Ring> rings;
   std::vector<Ring> ghosts;
   double next = 0.0;
@@ -138,7 +139,7 @@ void draw_sweep(SvgWriter& svg, const Vehicle& vehicle, const std::vector<Sample
     const Sample& s = samples[i];
     if (s.s < next && i + 1 < samples.size() && s.direction != 0) continue;
     next = s.s + sweep_step;
-    rings.push_back(outline_at(vehicle.footprint, s.pose()));
+    rings.push_back(outline_at(footprint, s.pose()));
     if (s.s >= next_ghost) {
       next_ghost = s.s + ghost_step;
       ghosts.push_back(rings.back());
@@ -218,9 +219,10 @@ void open_map(SvgWriter& svg, const Canvas& canvas) {
 
 }  // namespace
 
-std::string scene_svg(const Plan& plan, double width) {
-  const Scenario& scenario = plan.scenario;
-  const Canvas canvas = canvas_for(region_of(scenario, {&plan}), width);
+std::string scene_svg(const Problem& problem, const Plan& plan, double width) {
+  const Scenario& scenario = problem.scenario();
+  const Footprint& footprint = problem.footprint();
+  const Canvas canvas = canvas_for(region_of(problem, {&plan}), width);
   SvgWriter svg{canvas.view};
   open_map(svg, canvas);
   bool zones = false;
@@ -231,7 +233,7 @@ std::string scene_svg(const Plan& plan, double width) {
     zones = true;
   }
   draw_map(svg, scenario, canvas.region);
-  draw_sweep(svg, scenario.vehicle, plan.samples);
+  draw_sweep(svg, footprint, plan.samples);
   for (const Alternative& a : plan.alternatives) {
     if (a.chosen || a.poses.size() < 2) continue;
     others = true;
@@ -242,15 +244,14 @@ std::string scene_svg(const Plan& plan, double width) {
   }
   draw_path(svg, plan.samples);
   for (std::size_t i = 1; i < plan.samples.size(); ++i) {
-    if (is_direction_change(plan.samples[i - 1], plan.samples[i])) draw_vehicle(svg, scenario.vehicle, plan.samples[i].pose(), "T");
+    if (is_direction_change(plan.samples[i - 1], plan.samples[i])) draw_vehicle(svg, footprint, plan.samples[i].pose(), "T");
   }
-  draw_vehicle(svg, scenario.vehicle, scenario.start, "S");
-  draw_vehicle(svg, scenario.vehicle, goal_of(scenario), "D");
+  draw_vehicle(svg, footprint, problem.first_pose(), "S");
+  draw_vehicle(svg, footprint, problem.last_pose(), problem.is_driven_back() ? "E" : "D");
   const Certificate& c = plan.certificate;
   const bool tight = !plan.samples.empty() && c.tightest && !c.tightest_obstacle.empty();
   if (tight) {
     // From the obstacle's point to the footprint's nearest point.
-    const Footprint& footprint = scenario.vehicle.footprint;
     Vec2 on = c.tightest->position();
     if (footprint.is_disc()) {
       const Vec2 d = c.tightest_point - on;
@@ -278,6 +279,7 @@ std::string scene_svg(const Plan& plan, double width) {
   }
   if (std::holds_alternative<Station>(scenario.mission)) {
     legend.push_back({"shelf", "box", "shelf, loading face bold"});
+    if (std::get<Station>(scenario.mission).insertion) legend.push_back({"pocket", "box", "pocket"});
     legend.push_back({"area", "line", "station"});
   }
   if (zones) legend.push_back({"zone", "box", "candidate sides"});
@@ -287,10 +289,11 @@ std::string scene_svg(const Plan& plan, double width) {
   return framed(svg.take(), canvas.width, canvas.height + legend_height, scenario.name);
 }
 
-std::string overlay_svg(const Scenario& scenario, const std::vector<std::pair<std::string, const Plan*>>& plans, double width) {
+std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std::string, const Plan*>>& plans, double width) {
   std::vector<const Plan*> all;
   for (const auto& [name, plan] : plans) all.push_back(plan);
-  const Canvas canvas = canvas_for(region_of(scenario, all), width);
+  const Scenario& scenario = problem.scenario();
+  const Canvas canvas = canvas_for(region_of(problem, all), width);
   SvgWriter svg{canvas.view};
   open_map(svg, canvas);
   draw_map(svg, scenario, canvas.region);
@@ -308,8 +311,8 @@ std::string overlay_svg(const Scenario& scenario, const std::vector<std::pair<st
                           fixed(y - 4), colour, fixed(y), escaped(name), to_string(plan->status));
     y += 18.0;
   }
-  draw_vehicle(svg, scenario.vehicle, scenario.start, "S");
-  draw_vehicle(svg, scenario.vehicle, goal_of(scenario), "D");
+  draw_vehicle(svg, problem.footprint(), problem.first_pose(), "S");
+  draw_vehicle(svg, problem.footprint(), problem.last_pose(), problem.is_driven_back() ? "E" : "D");
   svg.close_group();
   draw_scale(svg, canvas.width, canvas.height);
   svg.raw(legend);

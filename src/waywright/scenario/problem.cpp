@@ -1,10 +1,12 @@
 #include "waywright/scenario/problem.hpp"
 #include "waywright/core/elementary.hpp"
+#include "waywright/geometry/boolean.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace waywright {
 namespace {
@@ -15,10 +17,41 @@ double margin_of(const PoseError& error, double radius) {
   return norm({error.lateral, error.longitudinal}) + 2.0 * radius * sin_cos(0.5 * std::min(error.heading, pi)).sin;
 }
 
+InputError refuse(std::string field, std::string problem, std::string allowed) {
+  return InputError{"", std::move(field), std::move(problem), std::move(allowed)};
+}
+
+/// A disc as the polygon around it.
+Ring around_disc(double radius) {
+  constexpr int corners = 32;
+  Ring ring;
+  const double outer = radius / sin_cos(pi / 2 - pi / corners).sin;
+  for (int i = 0; i < corners; ++i) ring.push_back(outer * unit(2.0 * pi * i / corners));
+  return ring;
+}
+
+/// The vehicle's footprint with the load that it carries.
+std::variant<Footprint, InputError> carried_footprint(const Scenario& scenario) {
+  const Footprint& own = scenario.vehicle.footprint;
+  if (scenario.carried_load.empty()) return own;
+  const auto load = scenario.vehicle.loads.find(scenario.carried_load);
+  if (load == scenario.vehicle.loads.end()) {
+    std::string names;
+    for (const auto& [name, unused] : scenario.vehicle.loads) names += (names.empty() ? "" : ", ") + name;
+    return refuse("carried_load", fmt::format("the vehicle has no load \"{}\"", scenario.carried_load),
+                  names.empty() ? "no load: vehicle.loads is empty" : names);
+  }
+  const Footprint& carried = load->second.footprint;
+  const auto polygon = [](const Footprint& f) { return f.is_disc() ? around_disc(f.disc) : f.polygon; };
+  const auto both = joined(polygon(own), polygon(carried));
+  if (!both) {
+    return refuse("vehicle.loads." + scenario.carried_load + ".footprint", "load and vehicle do not make one simple polygon",
+                  "a load that overlaps the vehicle's footprint and leaves no hole");
+  }
+  return Footprint{*both, 0.0};
+}
+
 std::optional<InputError> check_station(const Scenario& scenario, const Station& station) {
-  const auto refuse = [](std::string field, std::string problem, std::string allowed) {
-    return InputError{"", std::move(field), std::move(problem), std::move(allowed)};
-  };
   const Shelf& shelf = station.shelf;
   for (const Vec2 corner : shelf.outline()) {
     const Vec2 inside = nearest_in(station.area, corner);
@@ -73,34 +106,90 @@ Failure end_failure(const World& world, const Contact& contact, const Pose& pose
 
 }  // namespace
 
+std::optional<InputError> Problem::set_station(const Station& station) {
+  if (auto error = check_station(scenario_, station)) return error;
+  driven_back_ = station.manoeuvre == Manoeuvre::undock;
+  world_.add_boundary(station.area, "the station's area");
+  const std::size_t shelf = world_.add_obstacle(station.shelf.outline(), "the shelf");
+  goal_ = station.shelf.docked(footprint_.front());
+  if (!station.insertion) return std::nullopt;
+  auto made = make_pocket_motion(vehicle(), station, goal_);
+  if (auto* error = std::get_if<InputError>(&made)) return *error;
+  pocket_ = std::move(std::get<PocketMotion>(made));
+  pocket_->shelf_source = shelf;
+  return std::nullopt;
+}
+
 Parsed<Problem> Problem::prepare(Scenario scenario) {
   Problem problem;
   problem.scenario_ = std::move(scenario);
   const Scenario& given = problem.scenario_;
+  auto footprint = carried_footprint(given);
+  if (auto* error = std::get_if<InputError>(&footprint)) return tl::unexpected{*error};
+  problem.footprint_ = std::move(std::get<Footprint>(footprint));
   problem.world_ = World{given.map};
   if (const auto* station = std::get_if<Station>(&given.mission)) {
-    if (auto error = check_station(given, *station)) return tl::unexpected{*error};
-    problem.world_.add_boundary(station->area, "the station's area");
-    problem.world_.add_obstacle(station->shelf.outline(), "the shelf");
-    problem.goal_ = station->shelf.docked(given.vehicle.footprint.front());
+    if (auto error = problem.set_station(*station)) return tl::unexpected{*error};
   } else {
     problem.goal_ = std::get<Pose>(given.mission);
   }
   problem.world_.build();
-  problem.pose_error_margin_ = margin_of(given.pose_error, given.vehicle.footprint.radius());
+  problem.pose_error_margin_ = margin_of(given.pose_error, problem.footprint_.radius());
   return problem;
+}
+
+Piece Problem::pocket_stretch() const {
+  const Vec2 outer = pocket_->outer.position(), inner = pocket_->inner.position();
+  return driven_back_ ? Piece{Line{inner, outer}, -1} : Piece{Line{outer, inner}, 1};
+}
+
+Path Problem::whole_path(Path planned) const {
+  if (driven_back_) planned = reversed(planned);
+  if (pocket_) planned.pieces.insert(driven_back_ ? planned.pieces.begin() : planned.pieces.end(), pocket_stretch());
+  return planned;
+}
+
+std::optional<std::size_t> Problem::pocket_piece(const Path& path) const {
+  constexpr double tolerance = 1e-6;  // m
+  if (!pocket_ || path.pieces.empty()) return std::nullopt;
+  const std::size_t index = driven_back_ ? 0 : path.pieces.size() - 1;
+  const Piece& piece = path.pieces[index];
+  const auto* line = std::get_if<Line>(&piece.curve);
+  if (line == nullptr || piece.direction != (driven_back_ ? -1 : 1)) return std::nullopt;
+  const Vec2 outer = driven_back_ ? line->to : line->from;
+  const Vec2 inner = driven_back_ ? line->from : line->to;
+  const bool as_it_must = distance(outer, pocket_->outer.position()) <= tolerance && distance(inner, pocket_->inner.position()) <= tolerance;
+  return as_it_must ? std::optional{index} : std::nullopt;
 }
 
 std::optional<Failure> Problem::check_ends() const {
   const double required = required_clearance();
   for (const bool is_start : {true, false}) {
     const Pose& pose = is_start ? start() : goal();
-    const Contact contact = world_.clearance(vehicle().footprint, pose, required + 1.0);
+    const Contact contact = world_.clearance(footprint_, pose, required + 1.0);
     if (contact.clearance == 0.0 || contact.clearance < required - 1e-9) {  // rounding of the distance itself
-      return end_failure(world_, contact, pose, is_start, required);
+      return end_failure(world_, contact, pose, is_start != driven_back_, required);
     }
   }
-  return std::nullopt;
+  return check_pocket();
+}
+
+/// The pose with the forks in.
+std::optional<Failure> Problem::check_pocket() const {
+  if (!pocket_) return std::nullopt;
+  const double required = required_clearance();
+  const PocketContacts contacts = contacts_at(*pocket_, world_, footprint_, pocket_->inner, required + 1.0);
+  if (contacts.vehicle.clearance == 0.0 || contacts.vehicle.clearance < required - 1e-9) {
+    return end_failure(contacts.is_shelf ? pocket_->shelf : world_, contacts.vehicle, pocket_->inner, driven_back_, required);
+  }
+  if (contacts.forks.clearance > pose_error_margin_) return std::nullopt;
+  Failure failure = end_failure(pocket_->beside_pockets, contacts.forks, pocket_->inner, driven_back_, pose_error_margin_);
+  failure.reason = fmt::format(
+      "with the forks in, at ({:.3f}, {:.3f}), they are {:.4f} m from {} at ({:.3f}, {:.3f}), and more than {:.4f} m are needed "
+      "(pose error)",
+      pocket_->inner.x, pocket_->inner.y, contacts.forks.clearance, pocket_->beside_pockets.source_name(contacts.forks.source),
+      contacts.forks.point.x, contacts.forks.point.y, pose_error_margin_);
+  return failure;
 }
 
 }  // namespace waywright

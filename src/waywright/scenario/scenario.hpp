@@ -35,9 +35,25 @@ struct Shelf {
   Pose docked(double front) const;
 };
 
+/// Forks go on into the shelf: straight, by gap + depth from the docked pose.
+struct Insertion {
+  struct Pocket {
+    double right = 0.0, left = 0.0;  ///< m along the face from its middle, left of the shelf's heading positive; right < left
+  };
+  double depth = 0.0;           ///< m behind the face that the fork tips reach, > 0
+  std::vector<Pocket> pockets;  ///< openings through the whole depth of the shelf; at least one
+};
+
+enum class Manoeuvre {
+  dock,    ///< from the start to the shelf
+  undock,  ///< from the shelf to the start, the way of docking driven back
+};
+
 struct Station {
   Ring area;  ///< the vehicle stays inside it
   Shelf shelf;
+  Manoeuvre manoeuvre = Manoeuvre::dock;
+  std::optional<Insertion> insertion{};
 };
 
 /// What is asked: reach a pose, or dock at a station's shelf. (Waypoints, regions, legs: not supported yet.)
@@ -59,6 +75,7 @@ struct Scenario {
   Vehicle vehicle;
   Pose start{};
   Mission mission;
+  std::string carried_load;  ///< name of the vehicle's load that is carried all the way; empty: none
   double clearance = 0.0;  ///< m, ≥ 0, kept from everything by the whole footprint
   PoseError pose_error;
   BudgetLimits budget;

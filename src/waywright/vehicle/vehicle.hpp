@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "waywright/geometry/polygon.hpp"
 
@@ -60,7 +61,7 @@ struct Load {
 struct Vehicle {
   std::string name;
   Footprint footprint;
-  std::optional<Ring> forks;  ///< the part of the footprint that may enter a pocket
+  std::vector<Ring> forks;  ///< the parts of the footprint that may enter a pocket; empty: none
   std::map<std::string, Load> loads;
   double mass = 0.0;  ///< kg; 0: not given
   Drive drive = Differential{1.0};

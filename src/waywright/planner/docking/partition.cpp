@@ -17,7 +17,7 @@ Ring surroundings(const Problem& problem, const Frame& frame) {
   }
   const double curvature = problem.vehicle().max_curvature();
   const double radius = std::isfinite(curvature) && curvature > 0.0 ? 1.0 / curvature : 1.0;
-  const double reach = 6.0 * radius + 2.0 * problem.vehicle().footprint.radius();
+  const double reach = 6.0 * radius + 2.0 * problem.footprint().radius();
   Box box = bounding_box({frame.to_local(problem.start().position()), frame.to_local(problem.goal().position())});
   return rectangle(box.low - Vec2{reach, reach}, box.high + Vec2{reach, reach});
 }
@@ -41,13 +41,13 @@ DockingTask partition(const Problem& problem) {
     for (const Vec2 p : station->area) area.push_back(task.frame.to_local(p));
   } else {
     const Pose& goal = problem.goal();
-    const Vec2 tips = Frame{goal}.to_world(Vec2{problem.vehicle().footprint.front(), 0.0});
+    const Vec2 tips = Frame{goal}.to_world(Vec2{problem.footprint().front(), 0.0});
     task.frame = Frame{make_pose(tips, goal.heading + pi)};
     area = surroundings(problem, task.frame);
   }
   task.start = task.frame.to_local(problem.start());
   task.dock = task.frame.to_local(problem.goal());
-  const double needed = problem.vehicle().footprint.least_width() + 2.0 * problem.scenario().clearance;
+  const double needed = problem.footprint().least_width() + 2.0 * problem.scenario().clearance;
   for (const Side side : {Side::left, Side::right}) {
     Zone zone;
     zone.side = side;

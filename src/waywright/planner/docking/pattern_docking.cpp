@@ -84,7 +84,7 @@ SideOutcome search_side(const Problem& problem, const DockingTask& task, const Z
   outcome.transition = transition_pose(task, zone, result.best);
   outcome.feasible = score.feasible();
   outcome.cost = result.cost;
-  if (!score.free) outcome.contact = problem.world().clearance(problem.vehicle().footprint, score.blocked_at, 1.0);
+  if (!score.free) outcome.contact = problem.world().clearance(problem.footprint(), score.blocked_at, 1.0);
   if (outcome.feasible) {
     outcome.sentence = fmt::format(
         "On the {} side the best of {} candidates costs {:.4f}: {:.2f} m long, change of curvature {:.3f} 1/m, greatest "
@@ -114,10 +114,15 @@ std::vector<std::string> explain(const Problem& problem, const PatternDockingOpt
   }
   const double back = length(best.path.pieces[0]);
   const double forth = length(best.path.pieces[1]);
-  text.push_back(fmt::format(
-      "The vehicle backs {:.2f} m to the transition point ({:.3f}, {:.3f}), stops, and drives {:.2f} m forks first into the "
-      "docked pose ({:.3f}, {:.3f}); the last {:.2f} m are straight.",
-      back, best.transition.x, best.transition.y, forth, problem.goal().x, problem.goal().y, options.leads.dock));
+  const Pose& docked = problem.goal();
+  text.push_back(
+      problem.is_driven_back()
+          ? fmt::format("The vehicle backs {:.2f} m from the docked pose ({:.3f}, {:.3f}) to the transition point ({:.3f}, {:.3f}), the first {:.2f} m "
+                        "straight, stops, and drives {:.2f} m forks first to the last pose.",
+                        forth, docked.x, docked.y, best.transition.x, best.transition.y, options.leads.dock, back)
+          : fmt::format("The vehicle backs {:.2f} m to the transition point ({:.3f}, {:.3f}), stops, and drives {:.2f} m forks first into the "
+                        "docked pose ({:.3f}, {:.3f}); the last {:.2f} m are straight.",
+                        back, best.transition.x, best.transition.y, forth, docked.x, docked.y, options.leads.dock));
   text.push_back(fmt::format("The cost is {:.2g} × change of curvature + {:.2g} × length, each over that of the reference "
                              "pattern{}; among the candidates that keep every limit and {:.3f} m from everything it is the "
                              "least found.",

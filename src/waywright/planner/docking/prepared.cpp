@@ -30,7 +30,7 @@ Box region_of(const Problem& problem, const DockingTask& task) {
     }
     points.push_back(problem.start().position());
     points.push_back(problem.goal().position());
-    reach += problem.vehicle().footprint.radius();
+    reach += problem.footprint().radius();
   }
   Box box = bounding_box(points);
   return {box.low - Vec2{reach, reach}, box.high + Vec2{reach, reach}};
@@ -40,7 +40,7 @@ Box region_of(const Problem& problem, const DockingTask& task) {
 
 PreparedDocking::PreparedDocking(const Problem& problem)
     : problem_{&problem}, task_{partition(problem)}, wanted_{problem.required_clearance() + reserve} {
-  const Footprint& footprint = problem.vehicle().footprint;
+  const Footprint& footprint = problem.footprint();
   std::vector<CoverDisc> coarse, fine;
   if (footprint.is_disc()) {
     disc_ = footprint.disc;

@@ -79,7 +79,7 @@ PublishedScore published_evaluation(const Problem& problem, const std::vector<Sa
   PublishedScore score;
   score.measures = measure_samples(samples);
   score.within_curvature = score.measures.max_curvature <= problem.vehicle().max_curvature();
-  const Footprint& footprint = problem.vehicle().footprint;
+  const Footprint& footprint = problem.footprint();
   for (const Sample& sample : samples) {
     if (problem.world().is_free(footprint, sample.pose(), problem.scenario().clearance)) continue;
     if (++score.hits == 1) {

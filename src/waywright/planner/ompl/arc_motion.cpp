@@ -23,7 +23,7 @@ bool MotionTest::spent() {
 
 Contact MotionTest::place(const Pose& pose, double wanted) {
   ++placements_;
-  return problem_.world().clearance(problem_.vehicle().footprint, pose, required_ + wanted);
+  return problem_.world().clearance(problem_.footprint(), pose, required_ + wanted);
 }
 
 void MotionTest::note_blocked(const Contact& contact) {
@@ -48,7 +48,7 @@ bool MotionTest::pose_free_by(const Pose& pose, double beyond) {
 /// decide.
 double MotionTest::rate(const Arc& arc, int direction) const {
   double greatest = 1.0;
-  for (const Vec2 p : problem_.vehicle().footprint.polygon) {
+  for (const Vec2 p : problem_.footprint().polygon) {
     greatest = std::max(greatest, norm({direction - arc.curvature * p.y, arc.curvature * p.x}));
   }
   return greatest;

@@ -195,8 +195,8 @@ void run(const Problem& problem, const PosePair& ends, const ReedsShepp& curves,
 }  // namespace
 
 Box search_region(const Problem& problem, double radius) {
-  const Vec2 reach{2.0 * radius + problem.vehicle().footprint.radius(),
-                   2.0 * radius + problem.vehicle().footprint.radius()};
+  const Vec2 reach{2.0 * radius + problem.footprint().radius(),
+                   2.0 * radius + problem.footprint().radius()};
   const Box ends = bounding_box({problem.start().position(), problem.goal().position()});
   Box region{ends.low - detour * reach, ends.high + detour * reach};
   const auto keep_inside = [&region](const Box& box) {
