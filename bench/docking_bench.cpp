@@ -83,7 +83,7 @@ struct PlainProblem {
     const DockingPattern p = docking_pattern(s->problem.start(), s->problem.goal(), transition_pose(s->prepared.task(), *zone, x), {});
     const yardstick::Verdict v = yardstick::evaluate_plain(s->scene, candidate_of(p), lanes::samples);
     const double knock_out = v.hits > 0 ? 1000.0 : v.max_curvature > s->problem.vehicle().max_curvature() ? 100.0 : 0.0;
-    return {v.length + v.curvature_change + knock_out};
+    return {0.7 * v.curvature_change / 2.4 + 0.3 * v.length / 12.0 + knock_out};
   }
   std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const {
     const SearchSpace space = search_space(*zone, 0.0);
@@ -103,10 +103,13 @@ void side_ours(benchmark::State& state, Clutter clutter) {
   const Setting& s = setting(clutter);
   const Zone& zone = s.prepared.task().zones[0];
   CandidateEvaluator evaluator{s.prepared};
-  const CostFunction cost = [&](std::span<const double> x) {
-    const CandidateScore score = evaluator.evaluate(
-        docking_pattern(s.problem.start(), s.problem.goal(), transition_pose(s.prepared.task(), zone, x), {}));
-    return graded_cost(score, score.measures.length + score.measures.curvature_change);
+  const CostFunction cost = [&](std::span<const double> x, double enough) {
+    const DockingPattern pattern = docking_pattern(s.problem.start(), s.problem.goal(), transition_pose(s.prepared.task(), zone, x), {});
+    CandidateScore score = evaluator.measure(pattern);
+    const double objective = 0.7 * score.measures.curvature_change / 2.4 + 0.3 * score.measures.length / 12.0;
+    if (objective >= enough) return Evaluation{objective, 0.0, objective};
+    evaluator.check(pattern, score);
+    return Evaluation{objective, score.violation(), graded_cost(score, objective)};
   };
   for (auto _ : state) {
     Budget budget;

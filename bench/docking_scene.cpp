@@ -31,7 +31,7 @@ bool may_stand(const Scenario& scenario, const Ring& ring) {
 
 }  // namespace
 
-Scenario docking_scenario(Clutter clutter, std::uint64_t seed) {
+Scenario docking_scenario(Clutter clutter, std::uint64_t seed, std::size_t boxes) {
   Scenario s;
   s.name = "bench";
   s.clearance = 0.05;
@@ -48,7 +48,7 @@ Scenario docking_scenario(Clutter clutter, std::uint64_t seed) {
   s.mission = station;
   Random random{seed};
   const auto anywhere = [&] { return Vec2{random.uniform(-1.0, 10.0), random.uniform(-6.5, 6.5)}; };
-  while (clutter == Clutter::boxes && s.map.obstacles.size() < 12) {
+  while (clutter == Clutter::boxes && s.map.obstacles.size() < boxes) {
     const Vec2 half{0.5 * random.uniform(0.3, 1.0), 0.5 * random.uniform(0.3, 1.0)};
     const Ring box = transformed(rectangle(-half, half), Frame{make_pose(anywhere(), random.uniform(0.0, pi))});
     if (may_stand(s, box)) s.map.obstacles.push_back(box);

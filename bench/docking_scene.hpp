@@ -14,7 +14,8 @@ namespace waywright::bench {
 
 enum class Clutter { boxes, points };
 
-Scenario docking_scenario(Clutter clutter, std::uint64_t seed);
+/// `boxes` of 0.3 to 1 m, or 500 points in ten clusters.
+Scenario docking_scenario(Clutter clutter, std::uint64_t seed, std::size_t boxes = 12);
 
 /// What the yardstick is told of a problem; it asks for `clearance`.
 yardstick::Scene scene_of(const Problem& problem, double clearance);

@@ -7,138 +7,266 @@
 namespace waywright {
 namespace {
 
-using Point = std::vector<double>;  // in the unit box
+constexpr std::int64_t most_seen = 4096;  // lattice points kept
+constexpr double collapsed = 0.05;  // extent of a simplex over its size when it was built
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Point {
+  std::array<double, LatticeSearch::most_variables> u{};  // in the unit box
+  double objective = 0.0, violation = 0.0;
+  double merit = infinity;
+  bool used = false;  ///< as a start
+};
+
+/// A simplex that moves; its best corner stands first.
+struct Start {
+  std::array<Point, LatticeSearch::most_variables + 1> corners{};
+  double size = 0.0;      ///< of the box, when it was last built
+  std::size_t known = 0;  ///< corners known beyond the first
+  unsigned turn = 0;      ///< how often it was built anew
+  Point& best() { return corners[0]; }
+  const Point& best() const { return corners[0]; }
+};
+
+double far(const Point& a, const Point& b, std::size_t n) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < n; ++i) most = std::max(most, std::abs(a.u[i] - b.u[i]));
+  return most;
+}
 
 /// One run: everything that changes while searching.
 class Run {
  public:
-  Run(const CostFunction& cost, const SearchSpace& space, const SearchOptions& options, Budget& budget,
-      const LatticeSearchOptions& tuning)
-      : cost_{cost}, space_{space}, limit_{options.evaluations}, budget_{budget}, tuning_{tuning}, x_(space.dimension()) {
+  Run(const CostFunction& cost, const SearchSpace& space, const SearchOptions& options, Budget& budget, const LatticeSearchOptions& tuning)
+      : cost_{cost},
+        space_{space},
+        n_{space.dimension()},
+        limit_{options.evaluations},
+        budget_{budget},
+        tuning_{tuning},
+        cliff_{tuning.cliff},
+        price_{tuning.price} {
     double root = 2.0;  // φ_d: Newton on x^(d+1) − x − 1 from above
     for (int i = 0; i < 64; ++i) {
       double power = 1.0;
-      for (std::size_t k = 0; k < space.dimension(); ++k) power *= root;
-      root -= (power * root - root - 1.0) / (static_cast<double>(space.dimension() + 1) * power - 1.0);
+      for (std::size_t k = 0; k < n_; ++k) power *= root;
+      root -= (power * root - root - 1.0) / (static_cast<double>(n_ + 1) * power - 1.0);
     }
     double power = 1.0;
-    for (std::size_t i = 0; i < space.dimension(); ++i) alpha_.push_back(power /= root);
+    for (std::size_t i = 0; i < n_; ++i) alpha_[i] = power /= root;
+    seen_.reserve(static_cast<std::size_t>(std::min<std::int64_t>(limit_, most_seen)));
   }
 
   SearchResult search() {
-    const auto lattice = static_cast<std::int64_t>(std::ceil(tuning_.lattice_share * static_cast<double>(limit_)));
-    add_lattice(lattice);
-    std::vector<Start> starts = choose_starts();
-    std::int64_t round_work = std::max<std::int64_t>(1, (limit_ - result_.evaluations) / 4);
-    while (!starts.empty() && may_go_on()) {
-      const auto share = std::max<std::int64_t>(1, round_work / static_cast<std::int64_t>(starts.size()));
-      for (Start& start : starts) compass(start, share);
-      std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.value < b.value; });
-      std::erase_if(starts, [&](const Start& s) { return s.step < tuning_.finest; });
-      if (result_.cost >= tuning_.good_enough && may_go_on()) {
-        add_lattice(std::max<std::int64_t>(1, round_work / 2));
-        starts = choose_starts();
-        continue;
-      }
-      if (starts.size() > 1) starts.resize((starts.size() + 1) / 2);
+    const std::int64_t all = limit_;
+    add_lattice(std::min(most_seen / 2, share_of(all, tuning_.lattice_share)));
+    limit_ = all - share_of(all, tuning_.polish_share);
+    while (may_go_on()) {
+      choose_starts();
+      const std::int64_t before = result_.evaluations;
+      descend();
+      if (may_go_on()) add_lattice(std::max<std::int64_t>(8, share_of(result_.evaluations - before, tuning_.more_lattice)));
     }
-    while (may_go_on() && result_.cost >= tuning_.good_enough) add_lattice(64);
+    limit_ = all;
+    if (champion_.size > 0.0) simplex(champion_, limit_);
+    while (may_go_on()) {
+      Point p = next_lattice_point();
+      evaluate(p, best_objective_);
+    }
     return std::move(result_);
   }
 
  private:
-  struct Start {
-    Point at;
-    double value;
-    double step;
-  };
-  struct Seen {
-    Point at;
-    double value;
-    bool used = false;
-  };
-
+  static std::int64_t share_of(std::int64_t count, double share) { return static_cast<std::int64_t>(std::ceil(share * static_cast<double>(count))); }
   bool may_go_on() { return result_.evaluations < limit_ && !budget_.exhausted(); }
 
-  double evaluate(const Point& unit_point) {
-    for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = space_.low[i] + unit_point[i] * (space_.high[i] - space_.low[i]);
-    double value = cost_(x_);
-    if (std::isnan(value)) value = std::numeric_limits<double>::max();
+  double merit_of(const Point& p) const { return p.violation > 0.0 ? p.objective + cliff_ + price_ * p.violation : p.objective; }
+
+  /// Fills what is known of a point. Where its objective alone is not under `enough`, its merit is something not under it.
+  void evaluate(Point& p, double enough) {
+    for (std::size_t i = 0; i < n_; ++i) x_[i] = space_.low[i] + p.u[i] * (space_.high[i] - space_.low[i]);
+    Evaluation e = cost_({x_.data(), n_}, enough);
+    if (!(std::isfinite(e.objective) && std::isfinite(e.violation) && std::isfinite(e.graded))) {
+      e = {1e30, 1e30, std::numeric_limits<double>::max()};
+    }
     ++result_.evaluations;
     budget_.count_evaluations();
-    if (result_.best.empty() || value < result_.cost) {
-      result_.best = x_;
-      result_.cost = value;
+    p.objective = e.objective;
+    p.violation = e.violation;
+    p.merit = merit_of(p);
+    if (e.objective >= enough) return;
+    if (result_.best.empty() || e.graded < result_.cost) {
+      result_.best.assign(x_.begin(), x_.begin() + static_cast<std::ptrdiff_t>(n_));
+      result_.cost = e.graded;
+      if (e.violation == 0.0) best_objective_ = e.objective;
     }
-    result_.trace.push_back(result_.cost);
-    return value;
+  }
+
+  Point next_lattice_point() {
+    Point p;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double v = 0.5 + alpha_[i] * static_cast<double>(index_);
+      p.u[i] = v - std::floor(v);
+    }
+    ++index_;
+    return p;
   }
 
   void add_lattice(std::int64_t count) {
-    for (std::int64_t k = 0; k < count && may_go_on(); ++k, ++index_) {
-      Point p(alpha_.size());
-      for (std::size_t i = 0; i < p.size(); ++i) {
-        const double v = 0.5 + alpha_[i] * static_cast<double>(index_);
-        p[i] = v - std::floor(v);
-      }
-      const double value = evaluate(p);
-      seen_.push_back({std::move(p), value, false});
+    for (std::int64_t k = 0; k < count && may_go_on() && std::ssize(seen_) < most_seen; ++k) {
+      Point p = next_lattice_point();
+      const double best = best_objective_;
+      evaluate(p, best);
+      // One whose objective alone is no better than the best known leads nowhere.
+      if (p.objective < best) seen_.push_back(p);
     }
   }
 
-  /// The best points seen that are not near a better one already chosen.
-  std::vector<Start> choose_starts() {
-    std::stable_sort(seen_.begin(), seen_.end(), [](const Seen& a, const Seen& b) { return a.value < b.value; });
-    std::vector<Start> starts;
-    for (Seen& s : seen_) {
-      if (starts.size() >= static_cast<std::size_t>(tuning_.starts)) break;
-      if (s.used) continue;
-      const bool near = std::any_of(starts.begin(), starts.end(), [&](const Start& other) {
-        double far = 0.0;
-        for (std::size_t i = 0; i < s.at.size(); ++i) far = std::max(far, std::abs(s.at[i] - other.at[i]));
-        return far < tuning_.first_step;
-      });
-      if (near) continue;
-      s.used = true;
-      starts.push_back({s.at, s.value, tuning_.first_step});
+  /// Distance of neighbours among the lattice's points so far, of the box: index^(−1/n) by halving, from plain arithmetic.
+  double spacing() const {
+    double low = 0.0, high = 1.0;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = 0.5 * (low + high);
+      double volume = static_cast<double>(std::max<std::int64_t>(index_, 1));
+      for (std::size_t k = 0; k < n_; ++k) volume *= middle;
+      (volume < 1.0 ? low : high) = middle;
     }
-    return starts;
+    return high;
   }
 
-  void compass(Start& start, std::int64_t work) {
-    const std::int64_t end = result_.evaluations + work;
-    const std::size_t n = start.at.size();
-    while (result_.evaluations < end && start.step >= tuning_.finest && may_go_on()) {
-      bool moved = false;
-      for (std::size_t k = 0; k < 2 * n && result_.evaluations < end && may_go_on(); ++k) {
-        const std::size_t axis = k / 2;
-        const double sign = k % 2 == 0 ? 1.0 : -1.0;
-        double step = start.step;
-        while (result_.evaluations < end && may_go_on()) {
-          Point next = start.at;
-          next[axis] = std::clamp(next[axis] + sign * step, 0.0, 1.0);
-          if (next[axis] == start.at[axis]) break;
-          const double value = evaluate(next);
-          if (!(value < start.value)) break;
-          start.at = std::move(next);
-          start.value = value;
-          moved = true;
-          step *= 2.0;
-        }
+  /// The best points seen that are neither near a better one already chosen nor near where a search has been.
+  void choose_starts() {
+    std::erase_if(seen_, [](const Point& p) { return p.used; });
+    std::stable_sort(seen_.begin(), seen_.end(), [](const Point& a, const Point& b) { return a.merit < b.merit; });
+    if (std::ssize(seen_) > most_seen / 2) seen_.resize(most_seen / 2);
+    starts_.clear();
+    const double step = spacing();
+    const double apart = tuning_.apart * step;
+    for (Point& p : seen_) {
+      if (starts_.size() >= static_cast<std::size_t>(tuning_.starts)) break;
+      const auto near = [&](const Start& other) { return far(p, other.best(), n_) < apart; };
+      if (std::any_of(starts_.begin(), starts_.end(), near)) continue;
+      Start start;
+      start.best() = p;
+      start.size = step;
+      starts_.push_back(start);
+      p.used = true;
+    }
+  }
+
+  /// Rounds of simplex searches from the starts, of equal work for each; after each round the worse half is given up.
+  void descend() {
+    const std::int64_t each = static_cast<std::int64_t>(tuning_.work) * static_cast<std::int64_t>(n_);
+    while (!starts_.empty() && may_go_on()) {
+      for (Start& start : starts_) simplex(start, each);
+      std::stable_sort(starts_.begin(), starts_.end(), [](const Start& a, const Start& b) { return a.best().merit < b.best().merit; });
+      if (starts_.size() == 1) break;
+      starts_.resize((starts_.size() + 1) / 2);
+    }
+    if (starts_.empty()) return;
+    if (champion_.size == 0.0 || starts_.front().best().merit < champion_.best().merit) champion_ = starts_.front();
+    if (champion_.best().violation > 0.0) raise_price();
+  }
+
+  /// Searches settle where something is violated: it is too cheap.
+  void raise_price() {
+    cliff_ *= tuning_.raise;
+    price_ *= tuning_.raise;
+    for (Point& p : seen_) p.merit = merit_of(p);
+    for (Point& p : champion_.corners) p.merit = merit_of(p);
+  }
+
+  /// a + f·(b − a), kept in the box.
+  Point between(const Point& a, const Point& b, double f) const {
+    Point p;
+    for (std::size_t i = 0; i < n_; ++i) p.u[i] = std::clamp(a.u[i] + f * (b.u[i] - a.u[i]), 0.0, 1.0);
+    return p;
+  }
+
+  void sort_corners(Start& s) {
+    std::stable_sort(s.corners.begin(), s.corners.begin() + static_cast<std::ptrdiff_t>(n_ + 1),
+                     [](const Point& a, const Point& b) { return a.merit < b.merit; });
+  }
+
+  void simplex(Start& s, std::int64_t work) {
+    work_end_ = result_.evaluations + work;
+    while (works_on() && s.size >= tuning_.finest) {
+      if (s.known < n_) {
+        add_corner(s);
+      } else if (extent(s) < collapsed * s.size) {
+        s.size *= tuning_.rebuilt;
+        s.known = 0;
+        ++s.turn;
+      } else {
+        move(s);
+        sort_corners(s);
       }
-      if (!moved) start.step *= 0.5;
+    }
+  }
+  bool works_on() { return result_.evaluations < work_end_ && may_go_on(); }
+
+  double extent(const Start& s) const {
+    double most = 0.0;
+    for (std::size_t k = 1; k <= n_; ++k) most = std::max(most, far(s.corners[k], s.corners[0], n_));
+    return most;
+  }
+
+  /// One more corner along an axis, to the other side each time a simplex is built anew.
+  void add_corner(Start& s) {
+    Point p = s.corners[0];
+    double& u = p.u[s.known];
+    const double side = ((s.turn >> (s.known % 3)) & 1U) == 0 ? s.size : -s.size;
+    u = std::clamp(u + side > 1.0 || u + side < 0.0 ? u - side : u + side, 0.0, 1.0);
+    evaluate(p, infinity);
+    s.corners[++s.known] = p;
+    if (s.known == n_) sort_corners(s);
+  }
+
+  /// Reflects the worst corner in the middle of the others, farther where that pays, less far where it does not, or shrinks.
+  void move(Start& s) {
+    Point& worst = s.corners[n_];
+    Point middle;
+    for (std::size_t i = 0; i < n_; ++i) {
+      for (std::size_t k = 0; k < n_; ++k) middle.u[i] += s.corners[k].u[i] / static_cast<double>(n_);
+    }
+    Point reflected = between(worst, middle, 2.0);
+    evaluate(reflected, worst.merit);
+    if (reflected.merit < s.corners[n_ - 1].merit || (n_ == 1 && reflected.merit < s.corners[0].merit)) {
+      if (reflected.merit < s.corners[0].merit && works_on()) {
+        Point expanded = between(worst, middle, 3.0);
+        evaluate(expanded, reflected.merit);
+        if (expanded.merit < reflected.merit) reflected = expanded;
+      }
+      worst = reflected;
+      return;
+    }
+    if (reflected.merit < worst.merit) worst = reflected;
+    if (!works_on()) return;
+    Point contracted = between(worst, middle, 0.5);
+    evaluate(contracted, worst.merit);
+    if (contracted.merit < worst.merit) {
+      worst = contracted;
+      return;
+    }
+    for (std::size_t k = 1; k <= n_ && works_on(); ++k) {
+      s.corners[k] = between(s.corners[0], s.corners[k], 0.5);
+      evaluate(s.corners[k], infinity);
     }
   }
 
   const CostFunction& cost_;
   const SearchSpace& space_;
+  std::size_t n_;
   std::int64_t limit_;
   Budget& budget_;
   const LatticeSearchOptions& tuning_;
-  std::vector<double> x_;
-  std::vector<double> alpha_;
-  std::int64_t index_ = 0;
-  std::vector<Seen> seen_;
+  double cliff_, price_;
+  std::array<double, LatticeSearch::most_variables> x_{}, alpha_{};
+  double best_objective_ = infinity;  ///< of the feasible
+  std::int64_t index_ = 0, work_end_ = 0;
+  std::vector<Point> seen_;
+  std::vector<Start> starts_;
+  Start champion_;
   SearchResult result_;
 };
 
@@ -146,7 +274,7 @@ class Run {
 
 SearchResult LatticeSearch::minimise(const CostFunction& cost, const SearchSpace& space, const SearchOptions& options,
                                      Budget& budget) const {
-  if (space.dimension() == 0 || options.evaluations < 1) return {};
+  if (space.dimension() == 0 || space.dimension() > most_variables || options.evaluations < 1) return {};
   return Run{cost, space, options, budget, options_}.search();
 }
 

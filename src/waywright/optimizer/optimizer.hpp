@@ -19,8 +19,16 @@ struct SearchSpace {
   std::size_t dimension() const { return low.size(); }
 };
 
-/// Finite cost of a point inside the box, smaller is better. Called once per evaluation, from one thread.
-using CostFunction = std::function<double(std::span<const double>)>;
+/// What an evaluation says of a point. Finite.
+struct Evaluation {
+  double objective = 0.0;  ///< what is minimised among the feasible points
+  double violation = 0.0;  ///< how far from feasible, ≥ 0; 0: feasible. The steadier it grows the better
+  double graded = 0.0;     ///< both in one number, for searches that know of no constraints: every feasible point under every other one
+};
+
+/// Asked once per evaluation, from one thread. Where the objective is at least `enough` the rest may be left out (violation 0, graded as
+/// if feasible): who passes a finite `enough` has no use for such a point.
+using CostFunction = std::function<Evaluation(std::span<const double>, double enough)>;
 
 struct SearchOptions {
   std::int64_t evaluations = 600;  ///< upper bound on calls of the cost function
@@ -29,10 +37,9 @@ struct SearchOptions {
 };
 
 struct SearchResult {
-  std::vector<double> best;       ///< empty where nothing was evaluated
-  double cost = 0.0;
+  std::vector<double> best;  ///< empty where nothing was evaluated
+  double cost = 0.0;         ///< its graded cost
   std::int64_t evaluations = 0;
-  std::vector<double> trace;      ///< best cost so far after each evaluation
 };
 
 /// Same cost function, space, options: the same result bit for bit. Stops at the budget or when it is exhausted.

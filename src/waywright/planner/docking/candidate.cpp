@@ -54,7 +54,7 @@ CandidateEvaluator::CandidateEvaluator(const PreparedDocking& prepared, const la
       rate_limit_{prepared.problem().vehicle().limits.curvature_rate.value_or(std::numeric_limits<double>::infinity()) *
                   limit_share} {}
 
-CandidateScore CandidateEvaluator::evaluate(const DockingPattern& pattern, bool check_contact) {
+CandidateScore CandidateEvaluator::measure(const DockingPattern& pattern) {
   CandidateScore score;
   const Vec2 origin = prepared_.field().origin();
   kernels_.trace(lane_quintic(pattern.back, origin, -1), tracks_[0]);
@@ -70,7 +70,6 @@ CandidateScore CandidateEvaluator::evaluate(const DockingPattern& pattern, bool 
   const auto over = [](double value, double limit) { return value > limit ? value / limit - 1.0 : 0.0; };
   score.excess = over(m.max_curvature, curvature_limit_) + over(score.max_curvature_rate, rate_limit_);
   if (!std::isfinite(score.excess) || !std::isfinite(m.length)) score.excess = 1e6;
-  if (check_contact) check(pattern, score);
   return score;
 }
 
@@ -86,6 +85,9 @@ void CandidateEvaluator::check(const DockingPattern& pattern, CandidateScore& sc
   const auto blocked = [&](double driven, Vec2 at, Vec2 heading) {
     score.reach = score.measures.length > 0.0 ? std::clamp(driven / score.measures.length, 0.0, 1.0) : 0.0;
     score.blocked_at = make_pose(at, angle_of(heading));
+    constexpr double least_deficit = 1e-9;  // m²: what is blocked is never feasible, whatever the measure says
+    score.deficit = least_deficit;
+    for (const lanes::Track& track : tracks_) score.deficit += static_cast<double>(kernels_.deficit(track, prepared_.coarse(), field_));
   };
 
   // The straight runs out of the start and into the docked pose are the same for every candidate.

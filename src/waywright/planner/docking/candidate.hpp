@@ -16,10 +16,13 @@ struct CandidateScore {
   PathMeasures measures;
   double max_curvature_rate = 0.0;  ///< 1/m²
   double reach = 0.0;               ///< share of the path driven before the first contact, in [0, 1]
+  double deficit = 0.0;             ///< m², how deep and how long the footprint is too near to something, about; > 0 where not free
   bool free = false;                ///< reached the end
   Pose blocked_at{};                ///< where it ended, if not free
   double excess = 0.0;              ///< how far limits are exceeded, as a share of them; 0: kept
   bool feasible() const { return free && excess == 0.0; }
+  /// How far from feasible: grows steadily with depth and excess; 0: feasible.
+  double violation() const { return deficit + excess; }
 };
 
 /// Evaluates candidates of our form.
@@ -32,8 +35,15 @@ class CandidateEvaluator {
  public:
   explicit CandidateEvaluator(const PreparedDocking& prepared, const lanes::Kernels& kernels = lanes::best());
 
-  /// `check_contact` false: measures only (for the reference path).
-  CandidateScore evaluate(const DockingPattern& pattern, bool check_contact = true);
+  CandidateScore evaluate(const DockingPattern& pattern) {
+    CandidateScore score = measure(pattern);
+    check(pattern, score);
+    return score;
+  }
+  /// In two steps: measures and limits …
+  CandidateScore measure(const DockingPattern& pattern);
+  /// … and contact. @pre `score` is what measure() just gave for this pattern
+  void check(const DockingPattern& pattern, CandidateScore& score);
 
  private:
   /// A straight run and its verdict, asked again only where it is another one.
@@ -43,8 +53,6 @@ class CandidateEvaluator {
     bool clear = false;
     bool is_clear(Sweep& sweep, Vec2 begin, Vec2 end, Vec2 along, double margin);
   };
-  void check(const DockingPattern& pattern, CandidateScore& score);
-
   const PreparedDocking& prepared_;
   const lanes::Kernels& kernels_;
   lanes::Field field_;

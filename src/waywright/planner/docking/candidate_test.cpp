@@ -66,7 +66,7 @@ TEST(Candidate, MeasuresAreThoseOfTheCurve) {
   Random random{11};
   for (int i = 0; i < 100; ++i) {
     const DockingPattern pattern = random_pattern(prepared, random);
-    const CandidateScore score = evaluator.evaluate(pattern, false);
+    const CandidateScore score = evaluator.measure(pattern);
     const auto samples = sample(pattern_path(splines_of(pattern)), 1.0, 1e-5, 0.01);
     const PathMeasures exact = measure_samples(samples);
     EXPECT_NEAR(score.measures.length, samples.back().s, 1e-5 * samples.back().s);
@@ -96,6 +96,7 @@ TEST(Candidate, EveryInstructionSetGivesTheSameBits) {
       ASSERT_EQ(a.measures.max_curvature, b.measures.max_curvature) << kernels.name;
       ASSERT_EQ(a.max_curvature_rate, b.max_curvature_rate) << kernels.name;
       ASSERT_EQ(a.reach, b.reach) << kernels.name;
+      ASSERT_EQ(a.deficit, b.deficit) << kernels.name;
       ASSERT_EQ(a.free, b.free) << kernels.name;
       ASSERT_EQ(a.blocked_at, b.blocked_at) << kernels.name;
     }

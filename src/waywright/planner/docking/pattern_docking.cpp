@@ -34,7 +34,7 @@ PathMeasures reference_measures(const Problem& problem, const DockingTask& task,
     const Vec2 point{scale * published_reference.x, sign * scale * published_reference.y};
     const Pose transition = task.frame.to_world(make_pose(point, transition_heading(zone.side, task.dock.heading)));
     const CandidateScore score =
-        evaluator.evaluate(docking_pattern(problem.start(), problem.goal(), transition, leads), false);
+        evaluator.measure(docking_pattern(problem.start(), problem.goal(), transition, leads));
     if (reference.length == 0.0 || score.measures.length < reference.length) reference = score.measures;
   }
   if (std::isfinite(limit)) reference.curvature_change = std::min(reference.curvature_change, 6.0 * limit);
@@ -69,9 +69,13 @@ SideOutcome search_side(const Problem& problem, const DockingTask& task, const Z
   const auto pattern_at = [&](std::span<const double> x) {
     return docking_pattern(problem.start(), problem.goal(), transition_pose(task, zone, x), options.leads);
   };
-  const CostFunction cost = [&](std::span<const double> x) {
-    const CandidateScore score = evaluator.evaluate(pattern_at(x));
-    return graded_cost(score, objective_value(options, score.measures, reference));
+  const CostFunction cost = [&](std::span<const double> x, double enough) {
+    const DockingPattern pattern = pattern_at(x);
+    CandidateScore score = evaluator.measure(pattern);
+    const double objective = objective_value(options, score.measures, reference);
+    if (objective >= enough) return Evaluation{objective, 0.0, objective};
+    evaluator.check(pattern, score);
+    return Evaluation{objective, score.violation(), graded_cost(score, objective)};
   };
   const SearchResult result = optimizer.minimise(cost, search_space(zone, options.heading_range), search, budget);
   if (result.best.empty()) {

@@ -68,7 +68,8 @@ PreparedDocking::PreparedDocking(const Problem& problem)
     for (const CoverDisc& d : discs) {
       out.push_back({static_cast<float>(d.center.x), static_cast<float>(d.center.y),
                      static_cast<float>(norm(d.center)), static_cast<float>(d.radius + wanted_ + rounding),
-                     static_cast<float>(d.inner + problem.required_clearance() - field_.slack() - rounding)});
+                     static_cast<float>(d.inner + problem.required_clearance() - field_.slack() - rounding),
+                     static_cast<float>(0.5 * (d.radius + d.inner) + wanted_)});
     }
     return out;
   };

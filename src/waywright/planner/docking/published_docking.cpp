@@ -79,6 +79,13 @@ PublishedScore published_evaluation(const Problem& problem, const std::vector<Sa
   PublishedScore score;
   score.measures = measure_samples(samples);
   score.within_curvature = score.measures.max_curvature <= problem.vehicle().max_curvature();
+  const auto cost_of = [&](const PathMeasures& judged) {
+    const double cost = options.objective == DockingObjective::normalised ? normalised_cost(judged, reference, options.weights)
+                                                                          : exponential_cost(judged, reference, options.weights);
+    return cost < contact_knock_out ? cost : contact_knock_out * (1.0 - 1e-6);
+  };
+  score.objective = cost_of(score.measures);
+  if (!score.within_curvature) score.violation = score.measures.max_curvature / problem.vehicle().max_curvature() - 1.0;
   const Footprint& footprint = problem.footprint();
   for (const Sample& sample : samples) {
     if (problem.world().is_free(footprint, sample.pose(), problem.scenario().clearance)) continue;
@@ -87,14 +94,14 @@ PublishedScore published_evaluation(const Problem& problem, const std::vector<Sa
     }
   }
   if (score.hits > 0) {
-    score.cost = contact_knock_out + static_cast<double>(score.hits) / static_cast<double>(samples.size());
+    const double share = static_cast<double>(score.hits) / static_cast<double>(samples.size());
+    score.violation += share;
+    score.cost = contact_knock_out + share;
     return score;
   }
   PathMeasures judged = score.measures;
   if (!score.within_curvature) judged.curvature_change *= options.curvature_factor;
-  score.cost = options.objective == DockingObjective::normalised ? normalised_cost(judged, reference, options.weights)
-                                                                 : exponential_cost(judged, reference, options.weights);
-  if (!(score.cost < contact_knock_out)) score.cost = contact_knock_out * (1.0 - 1e-6);
+  score.cost = cost_of(judged);
   return score;
 }
 
@@ -135,8 +142,10 @@ PlanningResult PublishedDockingPlanner::plan(const Problem& problem, Budget& bud
     };
     search.seed = seed_ + (zone.side == Side::left ? 0 : 1);
     const SearchResult result = optimizer_->minimise(
-        [&](std::span<const double> x) {
-          return published_evaluation(problem, published_samples(splines_at(x), options_.segment), reference, options_).cost;
+        [&](std::span<const double> x, double) {
+          const PublishedScore score =
+              published_evaluation(problem, published_samples(splines_at(x), options_.segment), reference, options_);
+          return Evaluation{score.objective, score.violation, score.cost};
         },
         search_space(zone, 0.0), search, budget);
     outcome.searched = true;

@@ -32,6 +32,8 @@ std::vector<Sample> published_samples(const std::array<Spline, 2>& splines, doub
 struct PublishedScore {
   PathMeasures measures;
   double cost = 0.0;
+  double objective = 0.0;  ///< the cost without knock-outs
+  double violation = 0.0;  ///< share of poses that touch, and of the curvature over its limit
   std::size_t hits = 0;  ///< poses whose footprint touches
   bool within_curvature = true;
   std::optional<Contact> contact;  ///< of the first hit

@@ -54,6 +54,7 @@ struct Disc {
   float reach;  ///< m from the body's origin
   float outer;  ///< m: a field value above it: the disc is clear there
   float inner;  ///< m: a field value from 0 up to it: the footprint is surely too near
+  float middle;  ///< m: between the two, for what is only a measure
 };
 
 struct Discs {
@@ -71,6 +72,8 @@ struct Kernels {
   void (*trace)(const Quintic&, Track&);
   /// `fine` is asked where `coarse`, another cover of the same footprint, does not settle a stretch.
   void (*screen)(const Track&, Discs coarse, Discs fine, const Field&, Screen&);
+  /// ∫ Σ max(0, middle − field) ds over the discs, m²: how deep and how long the footprint is where it must not be.
+  float (*deficit)(const Track&, Discs, const Field&);
 };
 
 /// Those that this processor can run, the plainest first.

@@ -275,18 +275,21 @@ struct Stretch {
   Floats x, y, heading_x, heading_y, step, turn;
 };
 
+/// The field at a disc's centre.
+WAYWRIGHT_INLINE Floats field_at(const Stretch& at, const Disc& disc, const Field& field) {
+  const Floats x = at.x + at.heading_x * disc.x - at.heading_y * disc.y;
+  const Floats y = at.y + at.heading_y * disc.x + at.heading_x * disc.y;
+  // Anything but a number inside the field, NaN too, goes to a cell of its rim, where nothing is known.
+  const Floats column = lesser(greater(x * field.inverse_cell, all(0.0F)), all(field.last_column));
+  const Floats row = lesser(greater(y * field.inverse_cell, all(0.0F)), all(field.last_row));
+  return gather(field.value, truncated(row) * field.columns + truncated(column));
+}
+
 /// Which of a stretch's fifteen intervals are not shown to be clear by these discs, and which samples are surely too near.
 WAYWRIGHT_INLINE void look(const Stretch& at, Discs discs, const Field& field, Ints& open, Ints& hit) {
-  const Floats last_column = all(field.last_column);
-  const Floats last_row = all(field.last_row);
   for (int k = 0; k < discs.count; ++k) {
     const Disc& disc = discs.first[k];
-    const Floats x = at.x + at.heading_x * disc.x - at.heading_y * disc.y;
-    const Floats y = at.y + at.heading_y * disc.x + at.heading_x * disc.y;
-    // Anything but a number inside the field, NaN too, goes to a cell of its rim, where nothing is known.
-    const Floats column = lesser(greater(x * field.inverse_cell, all(0.0F)), last_column);
-    const Floats row = lesser(greater(y * field.inverse_cell, all(0.0F)), last_row);
-    const Floats value = gather(field.value, truncated(row) * field.columns + truncated(column));
+    const Floats value = field_at(at, disc, field);
     hit = hit | ((value >= all(0.0F)) & (all(disc.inner) >= value));
     float slack[width + 1];
     store(slack, value - disc.outer);
@@ -296,13 +299,31 @@ WAYWRIGHT_INLINE void look(const Stretch& at, Discs discs, const Field& field, I
   }
 }
 
+WAYWRIGHT_INLINE Stretch stretch_at(const Track& track, int i) {
+  return {load(&track.x[i]),         load(&track.y[i]),    load(&track.heading_x[i]),
+          load(&track.heading_y[i]), load(&track.step[i]), load(&track.turn[i])};
+}
+
+float deficit(const Track& track, Discs discs, const Field& field) {
+  Floats sum = all(0.0F);
+  for (int i = 0; i < traced; i += width) {
+    const Stretch at = stretch_at(track, i);
+    Floats depth = all(0.0F);
+    for (int k = 0; k < discs.count; ++k) {
+      const Floats value = greater(field_at(at, discs.first[k], field), all(0.0F));
+      depth = depth + greater(all(discs.first[k].middle) - value, all(0.0F));
+    }
+    sum = sum + depth * at.step;
+  }
+  return sum_of(sum);
+}
+
 void screen(const Track& track, Discs coarse, Discs fine, const Field& field, Screen& out) {
   constexpr unsigned intervals = (1U << (width - 1)) - 1U;
   out.hit = samples;
   for (int b = 0; b < stretches; ++b) {
     const int i = b * (width - 1);
-    const Stretch at{load(&track.x[i]),         load(&track.y[i]),    load(&track.heading_x[i]),
-                     load(&track.heading_y[i]), load(&track.step[i]), load(&track.turn[i])};
+    const Stretch at = stretch_at(track, i);
     Ints open = {}, hit = {};
     look(at, coarse, field, open, hit);
     unsigned left = bits(open) & intervals;
