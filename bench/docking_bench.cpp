@@ -80,7 +80,7 @@ struct PlainProblem {
   const Setting* s = nullptr;
   const Zone* zone = nullptr;
   pagmo::vector_double fitness(const pagmo::vector_double& x) const {
-    const DockingPattern p = docking_pattern(s->problem.start(), s->problem.goal(), transition_pose(s->prepared.task(), *zone, x), {});
+    const DockingPattern p = docking_pattern(placement_of(s->problem.start()), placement_of(s->problem.goal()), transition_placement(s->prepared.task(), *zone, x), {});
     const yardstick::Verdict v = yardstick::evaluate_plain(s->scene, candidate_of(p), lanes::samples);
     const double knock_out = v.hits > 0 ? 1000.0 : v.max_curvature > s->problem.vehicle().max_curvature() ? 100.0 : 0.0;
     return {0.7 * v.curvature_change / 2.4 + 0.3 * v.length / 12.0 + knock_out};
@@ -103,8 +103,10 @@ void side_ours(benchmark::State& state, Clutter clutter) {
   const Setting& s = setting(clutter);
   const Zone& zone = s.prepared.task().zones[0];
   CandidateEvaluator evaluator{s.prepared};
+  const Placement start = placement_of(s.problem.start());
+  const Placement dock = placement_of(s.problem.goal());
   const CostFunction cost = [&](std::span<const double> x, double enough) {
-    const DockingPattern pattern = docking_pattern(s.problem.start(), s.problem.goal(), transition_pose(s.prepared.task(), zone, x), {});
+    const DockingPattern pattern = docking_pattern(start, dock, transition_placement(s.prepared.task(), zone, x), {});
     CandidateScore score = evaluator.measure(pattern);
     const double objective = 0.7 * score.measures.curvature_change / 2.4 + 0.3 * score.measures.length / 12.0;
     if (objective >= enough) return Evaluation{objective, 0.0, objective};

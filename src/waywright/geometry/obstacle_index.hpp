@@ -45,21 +45,20 @@ class ObstacleIndex {
   /// Calls `seen(segment)` for every segment that may be within `distance` of a point.
   template <class Seen>
   void visit(Vec2 point, double distance, Seen&& seen) const {
-    if (nodes_.empty()) return;
-    std::array<std::uint32_t, deepest> stack;
-    std::size_t top = 0;
-    stack[top++] = 0;
-    while (top > 0) {
-      const std::uint32_t index = stack[--top];
-      const Node& node = nodes_[index];
-      if (squared_distance(node.box, point) > distance * distance) continue;
-      if (node.count == 0) {
-        stack[top++] = index + 1;
-        stack[top++] = node.first;
-        continue;
-      }
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) seen(segments_[i]);
-    }
+    traverse([=](const Box& box) { return squared_distance(box, point) <= distance * distance; },
+             [&](const Segment& s) {
+               seen(s);
+               return true;
+             });
+  }
+  /// True where `is_fine(segment)` is so for every segment whose own box meets `box`.
+  template <class IsFine>
+  bool all_of(const Box& box, IsFine&& is_fine) const {
+    return traverse([&](const Box& other) { return meet(box, other); },
+                    [&](const Segment& s) {
+                      const Box own{{std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y)}, {std::max(s.a.x, s.b.x), std::max(s.a.y, s.b.y)}};
+                      return !meet(box, own) || is_fine(s);
+                    });
   }
 
  private:
@@ -69,6 +68,31 @@ class ObstacleIndex {
     std::uint32_t first = 0;  ///< leaf: first segment; inner: right child (left child is the next node)
     std::uint32_t count = 0;  ///< 0: inner
   };
+  /// Leaves of the boxes that are wanted; ends, false, where `go_on` does not want to.
+  template <class Wanted, class GoOn>
+  bool traverse(Wanted&& wanted, GoOn&& go_on) const {
+    if (nodes_.empty()) return true;
+    std::array<std::uint32_t, deepest> stack;
+    std::size_t top = 0;
+    stack[top++] = 0;
+    while (top > 0) {
+      const std::uint32_t index = stack[--top];
+      const Node& node = nodes_[index];
+      if (!wanted(node.box)) continue;
+      if (node.count == 0) {
+        stack[top++] = index + 1;
+        stack[top++] = node.first;
+        continue;
+      }
+      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+        if (!go_on(segments_[i])) return false;
+      }
+    }
+    return true;
+  }
+  static bool meet(const Box& a, const Box& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+  }
   static double squared_distance(const Box& box, Vec2 point) {
     const double dx = std::max({0.0, box.low.x - point.x, point.x - box.high.x});
     const double dy = std::max({0.0, box.low.y - point.y, point.y - box.high.y});

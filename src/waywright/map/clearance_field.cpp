@@ -31,11 +31,17 @@ struct ClearanceField::Block {
 ClearanceField::ClearanceField(const World& world, const Box& region, const Options& options) : cell_{options.cell} {
   const Vec2 size = region.high - region.low;
   const auto cells = [&](double along) { return std::floor(along / cell_) + 3.0; };
-  while (cells(size.x) * cells(size.y) > static_cast<double>(options.most_cells)) cell_ *= 2.0;
+  const auto shift = [&] {
+    int bits = 2;
+    while (static_cast<double>(1 << bits) < cells(size.x) && bits < 30) ++bits;
+    return bits;
+  };
+  while (static_cast<double>(1 << shift()) * cells(size.y) > static_cast<double>(options.most_cells)) cell_ *= 2.0;
+  row_shift_ = shift();
   columns_ = static_cast<int>(cells(size.x));
   rows_ = static_cast<int>(cells(size.y));
   origin_ = region.low - Vec2{cell_, cell_};
-  values_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -1.0F);
+  values_.assign(static_cast<std::size_t>(rows_) << row_shift_, -1.0F);
   for (int row = 1; row < rows_ - 1; row += large_side) {
     for (int column = 1; column < columns_ - 1; column += large_side) fill(world, column, row, options);
   }
@@ -48,10 +54,6 @@ ClearanceField::Block ClearanceField::block_at(int column, int row, int side) co
   const Vec2 low = origin_ + cell_ * Vec2{static_cast<double>(column), static_cast<double>(row)};
   const Vec2 high = origin_ + cell_ * Vec2{static_cast<double>(last_column), static_cast<double>(last_row)};
   return {column, row, last_column, last_row, 0.5 * (low + high), 0.5 * norm(high - low)};
-}
-
-float& ClearanceField::value(int column, int row) {
-  return values_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
 }
 
 /// A large block: at once where all of it is blocked or far from everything, else by small ones.
@@ -108,7 +110,7 @@ float ClearanceField::at(Vec2 point) const {
   const double column = local.x / cell_;
   const double row = local.y / cell_;
   if (!(column >= 0.0 && row >= 0.0 && column < columns_ && row < rows_)) return -1.0F;
-  return values_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
+  return values_[index(static_cast<int>(column), static_cast<int>(row))];
 }
 
 }  // namespace waywright

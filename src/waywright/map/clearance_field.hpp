@@ -12,7 +12,7 @@ namespace waywright {
 class ClearanceField {
  public:
   struct Options {
-    double cell = 0.03;             ///< m, > 0; doubled until the region has at most `most_cells`
+    double cell = 0.03;             ///< m, > 0; doubled until the field has at most `most_cells`
     double sharp = 1.0;             ///< m, distances up to this are tabled as well as the cell allows
     double cap = 2.0;               ///< m, ≥ sharp: greater distances are tabled as this; those between to some cells' precision
     std::size_t most_cells = 1 << 20;
@@ -31,14 +31,17 @@ class ClearanceField {
   double cell() const { return cell_; }
   int columns() const { return columns_; }
   int rows() const { return rows_; }
-  const std::vector<float>& values() const { return values_; }  ///< row-major, rows upwards
+  /// Row-major, rows upwards; a row takes 2^row_shift values, those beyond its columns are −1.
+  const std::vector<float>& values() const { return values_; }
+  int row_shift() const { return row_shift_; }
 
  private:
   void fill(const World& world, int column, int row, const Options& options);
   void fill_block(const World& world, int column, int row, double limit, const Options& options);
   struct Block;
   Block block_at(int column, int row, int side) const;
-  float& value(int column, int row);
+  float& value(int column, int row) { return values_[index(column, row)]; }
+  std::size_t index(int column, int row) const { return (static_cast<std::size_t>(row) << row_shift_) + static_cast<std::size_t>(column); }
 
   std::vector<const Segment*> near_;  ///< while filling
 
@@ -46,6 +49,7 @@ class ClearanceField {
   double cell_ = 0.0;
   int columns_ = 0;
   int rows_ = 0;
+  int row_shift_ = 0;
   std::vector<float> values_;
 };
 

@@ -73,6 +73,29 @@ CandidateScore CandidateEvaluator::measure(const DockingPattern& pattern) {
   return score;
 }
 
+SweptPose CandidateEvaluator::pose_at(const lanes::Track& track, std::size_t i) const {
+  return {prepared_.field().origin() + Vec2{static_cast<double>(track.x[i]), static_cast<double>(track.y[i])},
+          {static_cast<double>(track.heading_x[i]), static_cast<double>(track.heading_y[i])}};
+}
+
+/// How far a pose of interval i can be from the straight interpolation of its ends: from the bend of the positions and the turning, with half
+/// as much again for what they do between samples.
+double CandidateEvaluator::bow_of(const lanes::Track& track, std::size_t i) const {
+  const auto bend = [&](std::size_t k) {
+    const Vec2 before{track.x[k - 1], track.y[k - 1]}, here{track.x[k], track.y[k]}, after{track.x[k + 1], track.y[k + 1]};
+    return norm(before - 2.0 * here + after);
+  };
+  constexpr std::size_t last = lanes::samples - 2;
+  const double position = std::max(bend(std::max<std::size_t>(i, 1)), bend(std::min(i + 1, last))) / 8.0;
+  const double step = static_cast<double>(track.step[i]);
+  const double turned = static_cast<double>(track.turn[i]);
+  const double next = static_cast<double>(track.step[std::min(i + 1, last)]);
+  const double before = static_cast<double>(track.step[i > 0 ? i - 1 : i]);
+  const double uneven = step * std::abs(static_cast<double>(track.curvature[i + 1]) - static_cast<double>(track.curvature[i])) +
+                        turned * std::abs(next - before) / std::max(step, 1e-9);
+  return 1.5 * (position + prepared_.radius() * (turned * turned + uneven) / 8.0);
+}
+
 void CandidateEvaluator::check(const DockingPattern& pattern, CandidateScore& score) {
   const auto& [back, forth] = pattern.points;
   const auto heading_of = [](const BezierSpan& span, bool at_end, double facing) {
@@ -86,9 +109,14 @@ void CandidateEvaluator::check(const DockingPattern& pattern, CandidateScore& sc
     score.reach = score.measures.length > 0.0 ? std::clamp(driven / score.measures.length, 0.0, 1.0) : 0.0;
     score.blocked_at = make_pose(at, angle_of(heading));
     constexpr double least_deficit = 1e-9;  // m²: what is blocked is never feasible, whatever the measure says
-    score.deficit = least_deficit;
-    for (const lanes::Track& track : tracks_) score.deficit += static_cast<double>(kernels_.deficit(track, prepared_.coarse(), field_));
+    score.deficit += least_deficit;
   };
+
+  std::array<lanes::Screen, 2> screens;
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    kernels_.screen(tracks_[k], prepared_.coarse(), prepared_.fine(), field_, screens[k]);
+    score.deficit += static_cast<double>(screens[k].deficit);
+  }
 
   // The straight runs out of the start and into the docked pose are the same for every candidate.
   const double head = distance(back[0], back[1]);
@@ -98,18 +126,15 @@ void CandidateEvaluator::check(const DockingPattern& pattern, CandidateScore& sc
   }
 
   // What is surely too near ends it before anything is looked at closely.
-  std::array<lanes::Screen, 2> screens;
   const double middle = head + static_cast<double>(tracks_[0].length) + 2.0 * distance(back[2], back[3]);
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
-    kernels_.screen(tracks_[k], prepared_.coarse(), prepared_.fine(), field_, screens[k]);
-    const int hit = screens[k].hit;
+    const lanes::Screen& screen = screens[k];
+    const int hit = screen.hit;
     if (hit == lanes::samples) continue;
     int known = hit;
-    while (known > 0 && is_open(screens[k], known - 1)) --known;
-    const lanes::Track& t = tracks_[k];
-    const Vec2 at{static_cast<double>(t.x[hit]), static_cast<double>(t.y[hit])};
-    const Vec2 heading{static_cast<double>(t.heading_x[hit]), static_cast<double>(t.heading_y[hit])};
-    return blocked((k == 0 ? head : middle) + length_up_to(t, known), prepared_.field().origin() + at, heading);
+    while (known > 0 && is_open(screen, known - 1)) --known;
+    const SweptPose pose = pose_at(tracks_[k], static_cast<std::size_t>(hit));
+    return blocked((k == 0 ? head : middle) + length_up_to(tracks_[k], known), pose.position, pose.heading);
   }
 
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
@@ -117,6 +142,10 @@ void CandidateEvaluator::check(const DockingPattern& pattern, CandidateScore& sc
     for (int i = 0; i + 1 < lanes::samples; ++i) {
       if (!is_open(screens[k], i)) continue;
       const bool at_end = (k == 0 && i == 0 && head == 0.0) || (k == 1 && i + 2 == lanes::samples && tail == 0.0);
+      const auto at = static_cast<std::size_t>(i);
+      if (!at_end && sweep_.is_surely_clear(pose_at(tracks_[k], at), pose_at(tracks_[k], at + 1), wanted, bow_of(tracks_[k], at))) continue;
+      const SweptPose end = pose_at(tracks_[k], at + 1);
+      if (!at_end && !sweep_.is_free(end, wanted)) return blocked((k == 0 ? head : middle) + length_up_to(tracks_[k], i), end.position, end.heading);
       constexpr double h = 1.0 / (lanes::samples - 1);
       if (sweep_.is_clear(quintic, i * h, (i + 1) * h, at_end ? at_ends : wanted)) continue;
       const SweptQuintic::State state = quintic.at((i + 1) * h);
@@ -130,6 +159,7 @@ void CandidateEvaluator::check(const DockingPattern& pattern, CandidateScore& sc
     return blocked(score.measures.length - tail, forth[3], heading_of(pattern.forth, true, 1.0));
   }
   score.reach = 1.0;
+  score.deficit = 0.0;
   score.free = true;
 }
 

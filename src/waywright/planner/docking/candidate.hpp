@@ -53,6 +53,9 @@ class CandidateEvaluator {
     bool clear = false;
     bool is_clear(Sweep& sweep, Vec2 begin, Vec2 end, Vec2 along, double margin);
   };
+  SweptPose pose_at(const lanes::Track& track, std::size_t i) const;
+  double bow_of(const lanes::Track& track, std::size_t i) const;
+
   const PreparedDocking& prepared_;
   const lanes::Kernels& kernels_;
   lanes::Field field_;

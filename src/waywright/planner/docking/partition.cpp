@@ -47,6 +47,7 @@ DockingTask partition(const Problem& problem) {
   }
   task.start = task.frame.to_local(problem.start());
   task.dock = task.frame.to_local(problem.goal());
+  task.dock_heading = unit(task.dock.heading);
   const double needed = problem.footprint().least_width() + 2.0 * problem.scenario().clearance;
   for (const Side side : {Side::left, Side::right}) {
     Zone zone;

@@ -26,6 +26,7 @@ struct Zone {
 struct DockingTask {
   Frame frame;         ///< shelf frame → world
   Pose start, dock;    ///< in the shelf's frame; dock heading is π
+  Vec2 dock_heading{-1.0, 0.0};  ///< the same as a unit vector
   std::vector<Zone> zones;  ///< left, then right
 };
 

@@ -16,14 +16,11 @@ Spline without_empty(std::vector<BezierSpan> spans) {
 
 }  // namespace
 
-PatternPoints pattern_points(const Pose& start, const Pose& dock, const Pose& transition, const PatternLeads& leads) {
-  const Vec2 s = start.position();
-  const Vec2 t = transition.position();
-  const Vec2 d = dock.position();
-  const Vec2 s_o = s - leads.start * unit(start.heading);
-  const Vec2 t_o = t + leads.transition * unit(transition.heading);
-  const Vec2 d_o = d - leads.dock * unit(dock.heading);
-  return {{s, s_o, t_o, t}, {t, t_o, d_o, d}};
+PatternPoints pattern_points(const Placement& start, const Placement& dock, const Placement& transition, const PatternLeads& leads) {
+  const Vec2 s_o = start.position - leads.start * start.heading;
+  const Vec2 t_o = transition.position + leads.transition * transition.heading;
+  const Vec2 d_o = dock.position - leads.dock * dock.heading;
+  return {{start.position, s_o, t_o, transition.position}, {transition.position, t_o, d_o, dock.position}};
 }
 
 double transition_heading(Side side, double dock_heading, double offset) {
@@ -33,28 +30,34 @@ double transition_heading(Side side, double dock_heading, double offset) {
 
 std::array<Spline, 2> published_pattern(const Pose& start, const Pose& dock, const Pose& transition,
                                         const PatternLeads& leads) {
-  const PatternPoints points = pattern_points(start, dock, transition, leads);
+  const PatternPoints points = pattern_points(placement_of(start), placement_of(dock), placement_of(transition), leads);
   return {Spline{SplineKind::natural_cubic, natural_cubic(points.back)},
           Spline{SplineKind::natural_cubic, natural_cubic(points.forth)}};
 }
 
-BezierSpan joining_quintic(Vec2 from, double from_course, Vec2 to, double to_course) {
+BezierSpan joining_quintic(Vec2 from, Vec2 from_course, Vec2 to, Vec2 to_course) {
   const Vec2 chord = to - from;
-  const double along = angle_of(chord);
-  const double alpha = wrap(from_course - along);
-  const double beta = wrap(to_course - along);
+  const double distance = norm(chord);
+  const Vec2 along = distance > 0.0 ? (1.0 / distance) * chord : from_course;
+  // α, β: angles of the courses from the chord, in (−π, π].
+  const double cos_a = dot(along, from_course), sin_a = cross(along, from_course);
+  const double cos_b = dot(along, to_course), sin_b = cross(along, to_course);
   // Tangent length over chord that makes Σ|Δκ| least, fitted over symmetric turns and S-curves of up to 90° from the chord:
-  // t = 1 − cos(half the turn), and the S part of the two angles.
-  const double t = 1.0 - sin_cos(std::min(0.5 * std::abs(alpha - beta), 0.5 * pi)).cos;
-  const double s = 1.0 - sin_cos(std::min(0.5 * std::abs(alpha + beta), 0.5 * pi)).cos;
-  const double length = norm(chord) * (0.92 + 0.45 * t + 0.25 * t * t + 0.95 * t * t * t * t + 0.3 * s);
-  return straight_ended_quintic(from, length * unit(from_course), to, length * unit(to_course));
+  // t = 1 − cos(half the turn α − β), and s the same of the S part α + β; 1 from half turns on.
+  const auto missing = [](double cosine, bool beyond) { return beyond ? 1.0 : 1.0 - std::sqrt(std::max(0.0, 0.5 * (1.0 + cosine))); };
+  const bool left_a = sin_a >= 0.0, left_b = sin_b >= 0.0;
+  const double sin_turn = sin_a * cos_b - cos_a * sin_b;
+  const double sin_sum = sin_a * cos_b + cos_a * sin_b;
+  const double t = missing(cos_a * cos_b + sin_a * sin_b, left_a != left_b && (sin_turn < 0.0) == left_a && sin_turn != 0.0);
+  const double s = missing(cos_a * cos_b - sin_a * sin_b, left_a == left_b && (sin_sum < 0.0) == left_a && sin_sum != 0.0);
+  const double length = distance * (0.92 + 0.45 * t + 0.25 * t * t + 0.95 * t * t * t * t + 0.3 * s);
+  return straight_ended_quintic(from, length * from_course, to, length * to_course);
 }
 
-DockingPattern docking_pattern(const Pose& start, const Pose& dock, const Pose& transition, const PatternLeads& leads) {
+DockingPattern docking_pattern(const Placement& start, const Placement& dock, const Placement& transition, const PatternLeads& leads) {
   DockingPattern pattern{pattern_points(start, dock, transition, leads), {}, {}};
   const auto& [back, forth] = pattern.points;
-  pattern.back = joining_quintic(back[1], wrap(start.heading + pi), back[2], wrap(transition.heading + pi));
+  pattern.back = joining_quintic(back[1], -start.heading, back[2], -transition.heading);
   pattern.forth = joining_quintic(forth[1], transition.heading, forth[2], dock.heading);
   return pattern;
 }

@@ -24,7 +24,15 @@ struct PatternPoints {
   std::array<Vec2, 4> back;
   std::array<Vec2, 4> forth;
 };
-PatternPoints pattern_points(const Pose& start, const Pose& dock, const Pose& transition, const PatternLeads& leads);
+
+/// A pose of the vehicle with its heading as a unit vector: what a search makes by the thousand needs no angles.
+struct Placement {
+  Vec2 position{};
+  Vec2 heading{1.0, 0.0};
+};
+inline Placement placement_of(const Pose& pose) { return {pose.position(), unit(pose.heading)}; }
+
+PatternPoints pattern_points(const Placement& start, const Placement& dock, const Placement& transition, const PatternLeads& leads);
 
 /// Vehicle heading at the transition: the forks point at the shelf's axis, turned by `offset` (away from the shelf positive).
 double transition_heading(Side side, double dock_heading, double offset = 0.0);
@@ -38,7 +46,10 @@ struct DockingPattern {
   PatternPoints points;
   BezierSpan back, forth;  ///< the quintics between points 1 and 2 of each
 };
-DockingPattern docking_pattern(const Pose& start, const Pose& dock, const Pose& transition, const PatternLeads& leads);
+DockingPattern docking_pattern(const Placement& start, const Placement& dock, const Placement& transition, const PatternLeads& leads);
+inline DockingPattern docking_pattern(const Pose& start, const Pose& dock, const Pose& transition, const PatternLeads& leads) {
+  return docking_pattern(placement_of(start), placement_of(dock), placement_of(transition), leads);
+}
 std::array<Spline, 2> splines_of(const DockingPattern& pattern);
 
 /// Our form: straight first and last stretches and a quintic between them whose curvature is 0 at both ends. The headings are
@@ -46,8 +57,8 @@ std::array<Spline, 2> splines_of(const DockingPattern& pattern);
 std::array<Spline, 2> straight_ended_pattern(const Pose& start, const Pose& dock, const Pose& transition,
                                              const PatternLeads& leads);
 
-/// The quintic between two courses, tangent lengths chosen for little change of curvature.
-BezierSpan joining_quintic(Vec2 from, double from_course, Vec2 to, double to_course);
+/// The quintic between two courses (unit vectors), tangent lengths chosen for little change of curvature.
+BezierSpan joining_quintic(Vec2 from, Vec2 from_course, Vec2 to, Vec2 to_course);
 
 /// Both splines as a path: backwards, then forwards.
 Path pattern_path(std::array<Spline, 2> splines);

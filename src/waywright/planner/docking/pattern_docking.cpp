@@ -66,8 +66,10 @@ SideOutcome search_side(const Problem& problem, const DockingTask& task, const Z
   SideOutcome outcome;
   outcome.side = zone.side;
   outcome.searched = true;
+  const Placement start = placement_of(problem.start());
+  const Placement dock = placement_of(problem.goal());
   const auto pattern_at = [&](std::span<const double> x) {
-    return docking_pattern(problem.start(), problem.goal(), transition_pose(task, zone, x), options.leads);
+    return docking_pattern(start, dock, transition_placement(task, zone, x), options.leads);
   };
   const CostFunction cost = [&](std::span<const double> x, double enough) {
     const DockingPattern pattern = pattern_at(x);

@@ -103,7 +103,7 @@ TEST(JoiningQuintic, MeetsCoursesAndHasNoCurvatureAtItsEnds) {
     const Vec2 b{random.uniform(-5, 5), random.uniform(-5, 5)};
     const double ca = random.uniform(-pi, pi);
     const double cb = random.uniform(-pi, pi);
-    const BezierSpan span = joining_quintic(a, ca, b, cb);
+    const BezierSpan span = joining_quintic(a, unit(ca), b, unit(cb));
     const CurvePoint p = evaluate(span, 0.0);
     const CurvePoint q = evaluate(span, 1.0);
     EXPECT_NEAR(distance(p.position, a), 0.0, 1e-14);

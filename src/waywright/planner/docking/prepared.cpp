@@ -78,8 +78,7 @@ PreparedDocking::PreparedDocking(const Problem& problem)
 }
 
 lanes::Field PreparedDocking::lane_field() const {
-  return {field_.values().data(), field_.columns(), static_cast<float>(field_.columns() - 1),
-          static_cast<float>(field_.rows() - 1), static_cast<float>(1.0 / field_.cell())};
+  return {field_.values().data(), field_.row_shift(), field_.columns() - 1, field_.rows() - 1, static_cast<float>(1.0 / field_.cell())};
 }
 
 }  // namespace waywright

@@ -56,7 +56,7 @@ TEST(PublishedDocking, ClampedEndsMatchTheFirstRow) {
   const Problem problem = fixture::problem(Id::d0);
   const DockingTask task = partition(problem);
   const Pose t{4.0, 3.5, transition_heading(Side::left, task.dock.heading)};
-  const PatternPoints p = pattern_points(task.start, task.dock, t, published_leads);
+  const PatternPoints p = pattern_points(placement_of(task.start), placement_of(task.dock), placement_of(t), published_leads);
   const std::array<Spline, 2> splines{Spline{SplineKind::natural_cubic, clamped_cubic(p.back, pi, t.heading + pi)},
                                       Spline{SplineKind::natural_cubic, clamped_cubic(p.forth, t.heading, pi)}};
   const PathMeasures m = measure_samples(published_samples(splines, segment));

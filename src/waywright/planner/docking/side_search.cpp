@@ -19,7 +19,7 @@ SearchSpace search_space(const Zone& zone, double heading_range) {
   return space;
 }
 
-Pose transition_pose(const DockingTask& task, const Zone& zone, std::span<const double> x) {
+Placement transition_placement(const DockingTask& task, const Zone& zone, std::span<const double> x) {
   const Vec2 wanted{x[0], x[1]};
   Vec2 nearest = wanted;
   double least = std::numeric_limits<double>::infinity();
@@ -30,8 +30,16 @@ Pose transition_pose(const DockingTask& task, const Zone& zone, std::span<const 
       nearest = p;
     }
   }
-  const double offset = x.size() > 2 ? x[2] : 0.0;
-  return task.frame.to_world(make_pose(nearest, transition_heading(zone.side, task.dock.heading, offset)));
+  // transition_heading() as a unit vector.
+  const double sign = zone.side == Side::left ? 1.0 : -1.0;
+  const Vec2 across = sign * left_of(task.dock_heading);
+  const SinCos offset = sin_cos(x.size() > 2 ? sign * x[2] : 0.0);
+  return {task.frame.to_world(nearest), task.frame.rotate(offset.cos * across + offset.sin * left_of(across))};
+}
+
+Pose transition_pose(const DockingTask& task, const Zone& zone, std::span<const double> x) {
+  const Placement at = transition_placement(task, zone, x);
+  return make_pose(at.position, angle_of(at.heading));
 }
 
 bool is_wanted(SideChoice choice, Side side) {

@@ -15,6 +15,7 @@ namespace waywright {
 SearchSpace search_space(const Zone& zone, double heading_range);
 
 /// The decision vector as a vehicle pose in the world: a point outside the polygons is taken to their nearest point.
+Placement transition_placement(const DockingTask& task, const Zone& zone, std::span<const double> x);
 Pose transition_pose(const DockingTask& task, const Zone& zone, std::span<const double> x);
 
 bool is_wanted(SideChoice choice, Side side);

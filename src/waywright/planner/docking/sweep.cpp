@@ -1,7 +1,10 @@
 #include "waywright/planner/docking/sweep.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "waywright/curve/bezier.hpp"
 
@@ -21,6 +24,14 @@ double bow(const SweptQuintic::State& a, const SweptQuintic::State& b, double h,
   const double turned = h * std::max(std::abs(a.turn_rate), std::abs(b.turn_rate));
   const double heading = h / 8.0 * std::abs(b.turn_rate - a.turn_rate);
   return 1.5 * (position + radius * (turned * turned / 8.0 + heading));
+}
+
+/// Does the segment lie more than `away` beyond all corners along an axis (not of unit length)?
+bool separates(std::span<const Vec2> corners, const Segment& s, Vec2 axis, double away) {
+  double reach = dot(axis, corners[0]);
+  for (const Vec2 c : corners.subspan(1)) reach = std::max(reach, dot(axis, c));
+  const double gap = std::min(dot(axis, s.a), dot(axis, s.b)) - reach;
+  return gap > 0.0 && gap * gap > away * away * squared_norm(axis);
 }
 
 }  // namespace
@@ -63,6 +74,62 @@ bool Sweep::between(const SweptQuintic& quintic, double u0, const State& a, doub
   const double u = 0.5 * (u0 + u1);
   const State middle = quintic.at(u);
   return between(quintic, u0, a, u, middle, margin, halvings - 1) && between(quintic, u, middle, u1, b, margin, halvings - 1);
+}
+
+bool Sweep::is_free(const SweptPose& pose, double margin) {
+  for (const Ring& part : prepared_.parts()) {
+    corners_.clear();
+    for (const Vec2 p : part) corners_.push_back(pose.position + p.x * pose.heading + p.y * left_of(pose.heading));
+    if (!prepared_.problem().world().is_free(corners_, margin + prepared_.disc())) return false;
+  }
+  return true;
+}
+
+bool Sweep::is_surely_clear(const SweptPose& a, const SweptPose& b, double margin, double bow) const {
+  constexpr std::size_t most_corners = 16;
+  const double away = margin + bow + prepared_.disc();
+  std::array<Vec2, 2 * most_corners> corners;
+  for (const Ring& part : prepared_.parts()) {
+    const std::size_t n = part.size();
+    if (n > most_corners) return false;
+    Box box;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec2 p = a.position + part[i].x * a.heading + part[i].y * left_of(a.heading);
+      const Vec2 q = b.position + part[i].x * b.heading + part[i].y * left_of(b.heading);
+      corners[i] = p;
+      corners[n + i] = q;
+      const Box both{{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}};
+      box = i == 0 ? both
+                   : Box{{std::min(box.low.x, both.low.x), std::min(box.low.y, both.low.y)},
+                         {std::max(box.high.x, both.high.x), std::max(box.high.y, both.high.y)}};
+    }
+    box = {box.low - Vec2{away, away}, box.high + Vec2{away, away}};
+    const std::span<const Vec2> both{corners.data(), 2 * n};
+    const auto is_beyond = [&](const Segment& s) {
+      // From the nearest corner: exact where that is what comes nearest.
+      Vec2 from{}, to{};
+      double least = std::numeric_limits<double>::infinity();
+      const Vec2 d = s.b - s.a;
+      const double inverse = d == Vec2{} ? 0.0 : 1.0 / squared_norm(d);
+      for (const Vec2 c : both) {
+        const Vec2 on = s.a + std::clamp(dot(c - s.a, d) * inverse, 0.0, 1.0) * d;
+        if (const double squared = squared_norm(on - c); squared < least) {
+          least = squared;
+          from = c;
+          to = on;
+        }
+      }
+      if (least <= away * away) return false;
+      if (separates(both, s, to - from, away)) return true;
+      for (std::size_t i = 0; i < 2 * n; ++i) {
+        const Vec2 edge = corners[i < n ? (i + 1) % n : n + (i + 1 - n) % n] - corners[i];
+        if (separates(both, s, {edge.y, -edge.x}, away)) return true;
+      }
+      return false;
+    };
+    if (!prepared_.problem().world().index().all_of(box, is_beyond)) return false;
+  }
+  return true;
 }
 
 bool Sweep::is_clear(const SweptQuintic& quintic, double u0, double u1, double margin) {

@@ -40,11 +40,11 @@ struct alignas(64) Track {
   float max_rate;                              ///< 1/m²
 };
 
-/// Lower bounds of the distance to anything blocked, one a cell; under 0 where nothing is known.
+/// Lower bounds of the distance to anything blocked, one a cell; under 0 where nothing is known, as in all its rim.
 struct Field {
-  const float* value = nullptr;  ///< row-major, the first row at the low end of y
-  std::int32_t columns = 0;
-  float last_column = 0.0F, last_row = 0.0F;
+  const float* value = nullptr;  ///< row-major, the first row at the low end of y; a row takes 2^row_shift values
+  int row_shift = 0;
+  std::int32_t last_column = 0, last_row = 0;
   float inverse_cell = 0.0F;  ///< 1/m
 };
 
@@ -64,7 +64,8 @@ struct Discs {
 
 struct Screen {
   std::uint16_t open[stretches];  ///< bit k of b: interval 15 b + k is not shown to be clear
-  int hit;                        ///< first sample that is surely too near; `samples`: none. What comes after it is not looked at
+  int hit;                        ///< first sample that is surely too near; `samples`: none. What comes after it is not settled
+  float deficit;                  ///< ∫ Σ max(0, middle − field) ds over the coarse discs, m²: how deep and how long it is where it must not be
 };
 
 struct Kernels {
@@ -72,8 +73,6 @@ struct Kernels {
   void (*trace)(const Quintic&, Track&);
   /// `fine` is asked where `coarse`, another cover of the same footprint, does not settle a stretch.
   void (*screen)(const Track&, Discs coarse, Discs fine, const Field&, Screen&);
-  /// ∫ Σ max(0, middle − field) ds over the discs, m²: how deep and how long the footprint is where it must not be.
-  float (*deficit)(const Track&, Discs, const Field&);
 };
 
 /// Those that this processor can run, the plainest first.

@@ -80,17 +80,40 @@ WAYWRIGHT_INLINE Ints operator~(Ints a) {
 WAYWRIGHT_INLINE Ints operator+(Ints a, Ints b) {
   return lanewise<Ints>([&](int i) WAYWRIGHT_ALWAYS { return a.p[i] + b.p[i]; });
 }
-WAYWRIGHT_INLINE Ints operator*(Ints a, std::int32_t b) {
-  return lanewise<Ints>([&](int i) WAYWRIGHT_ALWAYS { return a.p[i] * b; });
-}
 WAYWRIGHT_INLINE Floats select(Ints mask, Floats a, Floats b) {
   return lanewise<Floats>([&](int i) WAYWRIGHT_ALWAYS { return mask.p[i] ? a.p[i] : b.p[i]; });
 }
 WAYWRIGHT_INLINE Ints truncated(Floats a) {
   return lanewise<Ints>([&](int i) WAYWRIGHT_ALWAYS { return __builtin_convertvector(a.p[i], NativeInts); });
 }
-WAYWRIGHT_INLINE Floats greater(Floats a, Floats b) { return select(a > b, a, b); }
-WAYWRIGHT_INLINE Floats lesser(Floats a, Floats b) { return select(b > a, a, b); }
+// What `select(a > b, a, b)` and `select(b > a, a, b)` give, numbers or not: one instruction where the processor's is just that.
+WAYWRIGHT_INLINE Floats greater(Floats a, Floats b) {
+#if defined(__SSE2__)
+  return lanewise<Floats>([&](int i) WAYWRIGHT_ALWAYS {
+#if defined(__AVX512F__)
+    return (NativeFloats)_mm512_max_ps((__m512)a.p[i], (__m512)b.p[i]);
+#elif defined(__AVX__)
+    return (NativeFloats)_mm256_max_ps((__m256)a.p[i], (__m256)b.p[i]);
+#else
+    return (NativeFloats)_mm_max_ps((__m128)a.p[i], (__m128)b.p[i]);
+#endif
+  });
+#else
+  return select(a > b, a, b);
+#endif
+}
+/// a where it is in [0, most], `most` elsewhere.
+WAYWRIGHT_INLINE Ints within(Ints a, std::int32_t most) {
+  return lanewise<Ints>([&](int i) WAYWRIGHT_ALWAYS {
+    using Unsigned = std::uint32_t __attribute__((vector_size(4 * native)));
+    const Unsigned limit = Unsigned{} + static_cast<std::uint32_t>(most);
+    const Unsigned u = (Unsigned)a.p[i];
+    return (NativeInts)(u < limit ? u : limit);
+  });
+}
+WAYWRIGHT_INLINE Ints operator<<(Ints a, int by) {
+  return lanewise<Ints>([&](int i) WAYWRIGHT_ALWAYS { return a.p[i] << by; });
+}
 WAYWRIGHT_INLINE Floats magnitude(Floats a) {
   return lanewise<Floats>([&](int i) WAYWRIGHT_ALWAYS { return (NativeFloats)((NativeInts)a.p[i] & 0x7FFFFFFF); });
 }
@@ -171,6 +194,21 @@ WAYWRIGHT_INLINE Floats gather(const float* from, Ints at) {
     return NativeFloats{from[at.p[i][0]], from[at.p[i][1]], from[at.p[i][2]], from[at.p[i][3]]};
 #endif
   });
+}
+
+/// The lanes of `a`, then the first of `b`, but for the first: in registers, since a load that straddles a store waits for it.
+WAYWRIGHT_INLINE NativeFloats shifted(NativeFloats a, NativeFloats b) {
+#if defined(__AVX512F__)
+  return __builtin_shufflevector(a, b, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16);
+#elif defined(__AVX__)
+  return __builtin_shufflevector(a, b, 1, 2, 3, 4, 5, 6, 7, 8);
+#else
+  return __builtin_shufflevector(a, b, 1, 2, 3, 4);
+#endif
+}
+/// Lane i holds lane i + 1; the last one something.
+WAYWRIGHT_INLINE Floats next_lanes(Floats a) {
+  return lanewise<Floats>([&](int i) WAYWRIGHT_ALWAYS { return shifted(a.p[i], a.p[i + 1 < parts ? i + 1 : 0]); });
 }
 
 /// Bit i: lane i is true (all ones).
@@ -272,70 +310,59 @@ void trace(const Quintic& q, Track& track) {
 
 /// The vehicle at sixteen neighbouring samples.
 struct Stretch {
-  Floats x, y, heading_x, heading_y, step, turn;
+  Floats column, row;  ///< position in cells of the field
+  Floats heading_x, heading_y, step, turn;
 };
 
-/// The field at a disc's centre.
+/// The field at a disc's centre. A place outside of it, or none at all, leads to a cell of its rim, where nothing is known.
 WAYWRIGHT_INLINE Floats field_at(const Stretch& at, const Disc& disc, const Field& field) {
-  const Floats x = at.x + at.heading_x * disc.x - at.heading_y * disc.y;
-  const Floats y = at.y + at.heading_y * disc.x + at.heading_x * disc.y;
-  // Anything but a number inside the field, NaN too, goes to a cell of its rim, where nothing is known.
-  const Floats column = lesser(greater(x * field.inverse_cell, all(0.0F)), all(field.last_column));
-  const Floats row = lesser(greater(y * field.inverse_cell, all(0.0F)), all(field.last_row));
-  return gather(field.value, truncated(row) * field.columns + truncated(column));
+  const float along = disc.x * field.inverse_cell;
+  const float left = disc.y * field.inverse_cell;
+  const Ints column = truncated(at.column + at.heading_x * along - at.heading_y * left);
+  const Ints row = truncated(at.row + at.heading_y * along + at.heading_x * left);
+  return gather(field.value, (within(row, field.last_row) << field.row_shift) + within(column, field.last_column));
 }
 
 /// Which of a stretch's fifteen intervals are not shown to be clear by these discs, and which samples are surely too near.
-WAYWRIGHT_INLINE void look(const Stretch& at, Discs discs, const Field& field, Ints& open, Ints& hit) {
+/// Adds how deep they are to `depth` where it is given.
+WAYWRIGHT_INLINE void look(const Stretch& at, Discs discs, const Field& field, Ints& open, Ints& hit, Floats* depth) {
   for (int k = 0; k < discs.count; ++k) {
     const Disc& disc = discs.first[k];
     const Floats value = field_at(at, disc, field);
+    if (depth != nullptr) *depth = *depth + greater(all(disc.middle) - greater(value, all(0.0F)), all(0.0F));
     hit = hit | ((value >= all(0.0F)) & (all(disc.inner) >= value));
-    float slack[width + 1];
-    store(slack, value - disc.outer);
-    slack[width] = slack[width - 1];
+    const Floats slack = value - disc.outer;
     // The centre moves with the origin and swings about it: an interval is clear where its ends' slacks reach each other.
-    open = open | ~(load(slack) + load(slack + 1) > at.step + at.turn * disc.reach);
+    open = open | ~(slack + next_lanes(slack) > at.step + at.turn * disc.reach);
   }
 }
 
-WAYWRIGHT_INLINE Stretch stretch_at(const Track& track, int i) {
-  return {load(&track.x[i]),         load(&track.y[i]),    load(&track.heading_x[i]),
-          load(&track.heading_y[i]), load(&track.step[i]), load(&track.turn[i])};
-}
-
-float deficit(const Track& track, Discs discs, const Field& field) {
-  Floats sum = all(0.0F);
-  for (int i = 0; i < traced; i += width) {
-    const Stretch at = stretch_at(track, i);
-    Floats depth = all(0.0F);
-    for (int k = 0; k < discs.count; ++k) {
-      const Floats value = greater(field_at(at, discs.first[k], field), all(0.0F));
-      depth = depth + greater(all(discs.first[k].middle) - value, all(0.0F));
-    }
-    sum = sum + depth * at.step;
-  }
-  return sum_of(sum);
+WAYWRIGHT_INLINE Stretch stretch_at(const Track& track, const Field& field, int i) {
+  return {load(&track.x[i]) * field.inverse_cell, load(&track.y[i]) * field.inverse_cell, load(&track.heading_x[i]), load(&track.heading_y[i]),
+          load(&track.step[i]),                   load(&track.turn[i])};
 }
 
 void screen(const Track& track, Discs coarse, Discs fine, const Field& field, Screen& out) {
   constexpr unsigned intervals = (1U << (width - 1)) - 1U;
   out.hit = samples;
+  Floats deficit = all(0.0F);
   for (int b = 0; b < stretches; ++b) {
-    const int i = b * (width - 1);
-    const Stretch at = stretch_at(track, i);
+    const Stretch at = stretch_at(track, field, b * (width - 1));
     Ints open = {}, hit = {};
-    look(at, coarse, field, open, hit);
-    unsigned left = bits(open) & intervals;
-    if (left != 0) {
-      open = hit = Ints{};
-      look(at, fine, field, open, hit);
-      left &= bits(open);
-    }
-    out.open[b] = static_cast<std::uint16_t>(left);
+    Floats depth = all(0.0F);
+    look(at, coarse, field, open, hit, &depth);
+    deficit = deficit + depth * at.step;
+    out.open[b] = static_cast<std::uint16_t>(bits(open) & intervals);
+  }
+  out.deficit = sum_of(deficit);
+  for (int b = 0; b < stretches; ++b) {
+    if (out.open[b] == 0) continue;
+    const int i = b * (width - 1);
+    Ints open = {}, hit = {};
+    look(stretch_at(track, field, i), fine, field, open, hit, nullptr);
+    out.open[b] = static_cast<std::uint16_t>(out.open[b] & bits(open));
     if (const unsigned hits = bits(hit); hits != 0) {
       out.hit = i + __builtin_ctz(hits);
-      for (int rest = b + 1; rest < stretches; ++rest) out.open[rest] = static_cast<std::uint16_t>(intervals);
       return;
     }
   }

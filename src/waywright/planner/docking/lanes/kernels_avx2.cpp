@@ -3,6 +3,6 @@
 namespace waywright::lanes {
 
 extern const Kernels avx2_kernels;
-const Kernels avx2_kernels{"avx2", trace, screen, deficit};
+const Kernels avx2_kernels{"avx2", trace, screen};
 
 }  // namespace waywright::lanes

@@ -3,6 +3,6 @@
 namespace waywright::lanes {
 
 extern const Kernels avx512_kernels;
-const Kernels avx512_kernels{"avx512", trace, screen, deficit};
+const Kernels avx512_kernels{"avx512", trace, screen};
 
 }  // namespace waywright::lanes

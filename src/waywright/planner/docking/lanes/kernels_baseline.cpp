@@ -3,6 +3,6 @@
 namespace waywright::lanes {
 
 extern const Kernels baseline_kernels;
-const Kernels baseline_kernels{"baseline", trace, screen, deficit};
+const Kernels baseline_kernels{"baseline", trace, screen};
 
 }  // namespace waywright::lanes
