@@ -49,7 +49,7 @@ int plan(const PlanArguments& arguments) {
     return complain(error);
   }
   plan->timing.load = loaded->load;
-  plan->timing.prepare = loaded->prepare;
+  plan->timing.prepare += loaded->prepare;
   if (write) {
     if (auto written = write_plan(folder, problem, *plan); !written) return complain(written.error());
   }

@@ -40,6 +40,12 @@ concept Planner = requires(const P planner, const Problem& problem, Budget& budg
   { planner.name() } -> std::convertible_to<std::string_view>;
 };
 
+/// A planner that can make what it needs to know of a problem beforehand, once for many plans: the same answers, sooner.
+template <class P>
+concept PreparingPlanner = Planner<P> && requires(const P planner, const Problem& problem) {
+  { planner.prepared(problem) } -> std::same_as<P>;
+};
+
 /// Any planner behind one value type.
 class AnyPlanner {
  public:
@@ -48,20 +54,34 @@ class AnyPlanner {
 
   PlanningResult plan(const Problem& problem, Budget& budget) const { return self_->plan(problem, budget); }
   std::string_view name() const { return self_->name(); }
+  /// This planner, ready for a problem that outlives it; itself where there is nothing to prepare.
+  AnyPlanner prepared(const Problem& problem) const {
+    auto ready = self_->prepared(problem);
+    return ready ? AnyPlanner{std::move(ready)} : *this;
+  }
 
  private:
   struct Concept {
     virtual ~Concept() = default;
     virtual PlanningResult plan(const Problem&, Budget&) const = 0;
     virtual std::string_view name() const = 0;
+    virtual std::shared_ptr<const Concept> prepared(const Problem&) const = 0;  ///< nullptr: nothing to prepare
   };
   template <Planner P>
   struct Model final : Concept {
     explicit Model(P p) : planner{std::move(p)} {}
     PlanningResult plan(const Problem& problem, Budget& budget) const override { return planner.plan(problem, budget); }
     std::string_view name() const override { return planner.name(); }
+    std::shared_ptr<const Concept> prepared(const Problem& problem) const override {
+      if constexpr (PreparingPlanner<P>) {
+        return std::make_shared<Model>(planner.prepared(problem));
+      } else {
+        return nullptr;
+      }
+    }
     P planner;
   };
+  explicit AnyPlanner(std::shared_ptr<const Concept> self) : self_{std::move(self)} {}
   std::shared_ptr<const Concept> self_;
 };
 

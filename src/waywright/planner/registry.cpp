@@ -72,7 +72,7 @@ PlannerDescription pattern_docking_description() {
             options.objective = objective_of(word(p, "objective"));
             options.sides = side_choice(word(p, "sides"));
             std::optional<AnyPlanner> fallback;
-            if (std::get<bool>(p.at("fallback"))) fallback = RrtConnectPlanner{RrtConnectOptions{}, seed};
+            if (std::get<bool>(p.at("fallback"))) fallback = RrtConnectPlanner{RrtConnectOptions{.goal_straight = options.leads.dock}, seed};
             return PatternDockingPlanner{options, optimizer_of(word(p, "optimizer")), seed, std::move(fallback)};
           }};
 }

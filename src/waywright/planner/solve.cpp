@@ -57,10 +57,14 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
   if (auto failure = problem.check_ends()) return finish(failed_plan(problem, *failure));
 
   using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+  const auto preparing = Clock::now();
+  const AnyPlanner planner = description->make(*parameters, scenario.seed).prepared(problem);
+  const double prepared_in = since(preparing);
   Budget budget{scenario.budget, cancel};
-  const auto begin = Clock::now();
-  PlanningResult result = description->make(*parameters, scenario.seed).plan(problem, budget);
-  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  const auto planning = Clock::now();
+  PlanningResult result = planner.plan(problem, budget);
+  const double planned_in = since(planning);
 
   Plan plan;
   if (result) {
@@ -75,7 +79,8 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
     plan.explanation = std::move(result.error().explanation);
     plan.alternatives = std::move(result.error().alternatives);
   }
-  plan.timing.plan = seconds;
+  plan.timing.prepare = prepared_in;
+  plan.timing.plan = planned_in;
   plan.effort.evaluations = budget.evaluations();
   plan.reproducible = !budget.cut_short() && !budget.canceled();
   return finish(std::move(plan));

@@ -1,6 +1,7 @@
 #include "waywright/planner/docking/pattern_docking.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,12 +51,14 @@ std::string infeasible_sentence(const Problem& problem, const SideOutcome& outco
                         score.measures.length, contact_words(problem, *outcome.contact));
   } else {
     const double limit = problem.vehicle().max_curvature();
-    text += fmt::format(" needs a curvature of {:.3f} 1/m", score.measures.max_curvature);
-    if (std::isfinite(limit)) text += fmt::format(" (limit {:.3f})", limit);
-    if (problem.vehicle().limits.curvature_rate) {
-      text += fmt::format(" and a curvature rate of {:.3f} 1/m² (limit {:.3f})", score.max_curvature_rate,
-                          *problem.vehicle().limits.curvature_rate);
+    std::vector<std::string> needs;
+    if (score.measures.max_curvature > limit) {
+      needs.push_back(fmt::format("a curvature of {:.3f} 1/m (limit {:.3f})", score.measures.max_curvature, limit));
     }
+    if (const auto rate = problem.vehicle().limits.curvature_rate; rate && score.max_curvature_rate > *rate) {
+      needs.push_back(fmt::format("a curvature rate of {:.3f} 1/m² (limit {:.3f})", score.max_curvature_rate, *rate));
+    }
+    text += needs.empty() ? " needs as much curvature as the limits allow, and no reserve is left" : fmt::format(" needs {}", fmt::join(needs, " and "));
   }
   return text + ".";
 }
@@ -65,7 +68,6 @@ SideOutcome search_side(const Problem& problem, const DockingTask& task, const Z
                         CandidateEvaluator& evaluator, const SearchOptions& search, Budget& budget) {
   SideOutcome outcome;
   outcome.side = zone.side;
-  outcome.searched = true;
   const Placement start = placement_of(problem.start());
   const Placement dock = placement_of(problem.goal());
   const auto pattern_at = [&](std::span<const double> x) {
@@ -81,9 +83,10 @@ SideOutcome search_side(const Problem& problem, const DockingTask& task, const Z
   };
   const SearchResult result = optimizer.minimise(cost, search_space(zone, options.heading_range), search, budget);
   if (result.best.empty()) {
-    outcome.sentence = fmt::format("The {} side was not searched: the budget was spent.", to_string(zone.side));
+    outcome.sentence = not_searched_sentence(zone.side, budget);
     return outcome;
   }
+  outcome.searched = true;
   const DockingPattern pattern = pattern_at(result.best);
   const CandidateScore score = evaluator.evaluate(pattern);
   outcome.path = pattern_path(splines_of(pattern));
@@ -111,12 +114,14 @@ std::vector<std::string> explain(const Problem& problem, const PatternDockingOpt
     if (&outcome != &best) other = &outcome;
   }
   if (other != nullptr && other->feasible) {
-    text.push_back(fmt::format("The {} side of the {} was chosen: its cost is {:.4f}, the {} side's {:.4f} ({:.1f} % more).",
-                               to_string(best.side), of, best.cost, to_string(other->side), other->cost,
-                               100.0 * (other->cost / best.cost - 1.0)));
+    const double more = 100.0 * (other->cost / best.cost - 1.0);
+    text.push_back(more < 0.05 ? fmt::format("Both sides of the {} cost the same, {:.4f}; the {} one was taken.", of, best.cost, to_string(best.side))
+                               : fmt::format("The {} side of the {} was chosen: its cost is {:.4f}, the {} side's {:.4f} ({:.1f} % more).", to_string(best.side),
+                                             of, best.cost, to_string(other->side), other->cost, more));
+  } else if (other != nullptr && other->searched) {
+    text.push_back(fmt::format("The {} side of the {} was chosen because nothing was found on the other one.", to_string(best.side), of));
   } else {
-    text.push_back(fmt::format("The {} side of the {} was chosen because nothing was found on the other one.",
-                               to_string(best.side), of));
+    text.push_back(fmt::format("The {} side of the {} was taken; the other one was not looked at.", to_string(best.side), of));
   }
   const double back = length(best.path.pieces[0]);
   const double forth = length(best.path.pieces[1]);
@@ -139,19 +144,15 @@ std::vector<std::string> explain(const Problem& problem, const PatternDockingOpt
   return text;
 }
 
-PlanningFailure failure_of(const DockingTask& task, const std::vector<SideOutcome>& outcomes,
-                           const Budget& budget) {
+/// The reason says it in one sentence, the explanation side by side.
+PlanningFailure failure_of(const DockingTask& task, const std::vector<SideOutcome>& outcomes, const Budget& budget) {
   PlanningFailure failure;
-  std::string reason = "no docking pattern fits.";
   for (const SideOutcome& outcome : outcomes) {
-    reason += " " + outcome.sentence;
     failure.explanation.push_back(outcome.sentence);
-    if (outcome.contact && !failure.failure.point) {
-      failure.failure.point = outcome.contact->point;
-    }
+    if (outcome.contact && !failure.failure.point) failure.failure.point = outcome.contact->point;
   }
   failure.failure.status = budget.canceled() ? Status::canceled : budget.cut_short() ? Status::timed_out : Status::no_path;
-  failure.failure.reason = reason;
+  failure.failure.reason = "no docking pattern fits on either side";
   failure.alternatives = alternatives_of(task, outcomes, nullptr);
   return failure;
 }
@@ -162,14 +163,26 @@ PatternDockingPlanner::PatternDockingPlanner(PatternDockingOptions options, std:
                                              std::uint64_t seed, std::optional<AnyPlanner> fallback)
     : options_{options}, optimizer_{std::move(optimizer)}, seed_{seed}, fallback_{std::move(fallback)} {}
 
+PatternDockingPlanner PatternDockingPlanner::prepared(const Problem& problem) const {
+  PatternDockingPlanner ready = *this;
+  ready.prepared_ = std::make_shared<const PreparedDocking>(problem);
+  return ready;
+}
+
 PlanningResult PatternDockingPlanner::plan(const Problem& problem, Budget& budget) const {
-  const PreparedDocking prepared{problem};
+  if (prepared_ && &prepared_->problem() == &problem) return plan(*prepared_, budget);
+  return plan(PreparedDocking{problem}, budget);
+}
+
+PlanningResult PatternDockingPlanner::plan(const PreparedDocking& prepared, Budget& budget) const {
+  const Problem& problem = prepared.problem();
   const DockingTask& task = prepared.task();
   CandidateEvaluator evaluator{prepared};
   const PathMeasures reference = reference_measures(problem, task, options_.leads, evaluator);
 
-  SearchOptions search = options_per_side(task.zones, options_.sides, options_.evaluations, options_.population, budget,
-                                          fallback_.has_value());
+  SideShares shares{task.zones, options_.sides, options_.evaluations, budget, fallback_.has_value()};
+  SearchOptions search;
+  search.population = options_.population;
   std::vector<SideOutcome> outcomes;
   for (const Zone& zone : task.zones) {
     SideOutcome outcome;
@@ -180,6 +193,7 @@ PlanningResult PatternDockingPlanner::plan(const Problem& problem, Budget& budge
       outcome.sentence = fmt::format("The {} side was not asked for.", to_string(zone.side));
     } else {
       search.seed = seed_ + (zone.side == Side::left ? 0 : 1);
+      search.evaluations = shares.next();
       outcome = search_side(problem, task, zone, options_, *optimizer_, reference, evaluator, search, budget);
     }
     outcomes.push_back(std::move(outcome));
@@ -203,11 +217,9 @@ PlanningResult PatternDockingPlanner::plan(const Problem& problem, Budget& budge
   }
   PlanningFailure& both = second.error();
   failure.failure.status = both.failure.status;
-  failure.failure.reason = failure.failure.reason + " Second choice " + std::string{fallback_->name()} + ": " +
-                           both.failure.reason;
+  failure.failure.reason += fmt::format("; the second choice {} found none either: {}", fallback_->name(), both.failure.reason);
   failure.failure.pose = both.failure.pose;
   if (both.failure.point) failure.failure.point = both.failure.point;
-  failure.explanation.insert(failure.explanation.end(), both.explanation.begin(), both.explanation.end());
   failure.alternatives.insert(failure.alternatives.end(), both.alternatives.begin(), both.alternatives.end());
   return tl::unexpected{std::move(failure)};
 }

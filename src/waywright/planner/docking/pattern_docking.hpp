@@ -8,6 +8,7 @@
 #include "waywright/objective/docking_cost.hpp"
 #include "waywright/optimizer/optimizer.hpp"
 #include "waywright/planner/docking/pattern.hpp"
+#include "waywright/planner/docking/prepared.hpp"
 #include "waywright/planner/planner.hpp"
 
 namespace waywright {
@@ -28,7 +29,7 @@ struct PatternDockingOptions {
 /// What the search on one side of the shelf came to.
 struct SideOutcome {
   Side side = Side::left;
-  bool searched = false;
+  bool searched = false;   ///< at least one candidate was looked at
   bool feasible = false;
   double cost = 0.0;       ///< objective of the best path; graded where not feasible
   Pose transition{};       ///< world
@@ -45,8 +46,13 @@ class PatternDockingPlanner {
 
   PlanningResult plan(const Problem& problem, Budget& budget) const;
   std::string_view name() const { return "pattern_docking"; }
+  /// With sides, clearance field and covers of the footprint made. @pre the problem outlives what is returned
+  PatternDockingPlanner prepared(const Problem& problem) const;
 
  private:
+  PlanningResult plan(const PreparedDocking& prepared, Budget& budget) const;
+
+  std::shared_ptr<const PreparedDocking> prepared_;  ///< for one problem; made anew for others
   PatternDockingOptions options_;
   std::shared_ptr<const Optimizer> optimizer_;
   std::uint64_t seed_;

@@ -119,7 +119,9 @@ PublishedDockingPlanner::PublishedDockingPlanner(PublishedDockingOptions options
 PlanningResult PublishedDockingPlanner::plan(const Problem& problem, Budget& budget) const {
   DockingTask task = partition(problem);
   task.zones = published_zones(task, problem, options_.least_side);
-  SearchOptions search = options_per_side(task.zones, options_.sides, options_.evaluations, options_.population, budget, false);
+  SideShares shares{task.zones, options_.sides, options_.evaluations, budget, false};
+  SearchOptions search;
+  search.population = options_.population;
 
   std::vector<SideOutcome> outcomes;
   for (const Zone& zone : task.zones) {
@@ -141,6 +143,7 @@ PlanningResult PublishedDockingPlanner::plan(const Problem& problem, Budget& bud
       return published_pattern(problem.start(), problem.goal(), transition_pose(task, zone, x));
     };
     search.seed = seed_ + (zone.side == Side::left ? 0 : 1);
+    search.evaluations = shares.next();
     const SearchResult result = optimizer_->minimise(
         [&](std::span<const double> x, double) {
           const PublishedScore score =
@@ -148,8 +151,8 @@ PlanningResult PublishedDockingPlanner::plan(const Problem& problem, Budget& bud
           return Evaluation{score.objective, score.violation, score.cost};
         },
         search_space(zone, 0.0), search, budget);
-    outcome.searched = true;
-    if (!result.best.empty()) {
+    outcome.searched = !result.best.empty();
+    if (outcome.searched) {
       const auto splines = splines_at(result.best);
       const PublishedScore score =
           published_evaluation(problem, published_samples(splines, options_.segment), reference, options_);
@@ -165,7 +168,7 @@ PlanningResult PublishedDockingPlanner::plan(const Problem& problem, Budget& bud
                                      : score.within_curvature ? "no sampled pose touches anything"
                                                               : "its curvature is over the limit");
     } else {
-      outcome.sentence = fmt::format("The {} side was not searched: the budget was spent.", to_string(zone.side));
+      outcome.sentence = not_searched_sentence(zone.side, budget);
     }
     outcomes.push_back(std::move(outcome));
   }

@@ -46,17 +46,23 @@ bool is_wanted(SideChoice choice, Side side) {
   return choice == SideChoice::both || (choice == SideChoice::left) == (side == Side::left);
 }
 
-SearchOptions options_per_side(const std::vector<Zone>& zones, SideChoice sides, std::int64_t evaluations, int population,
-                               const Budget& budget, bool second_choice) {
-  SearchOptions options;
-  options.population = population;
-  options.evaluations = evaluations;
-  const auto searched = std::count_if(zones.begin(), zones.end(), [&](const Zone& z) { return !z.left_out() && is_wanted(sides, z.side); });
-  if (budget.limits().evaluations && searched > 0) {
-    const std::int64_t all = *budget.evaluations_left();
-    options.evaluations = std::max<std::int64_t>(1, (second_choice ? all - all / 4 : all) / searched);
-  }
-  return options;
+SideShares::SideShares(const std::vector<Zone>& zones, SideChoice sides, std::int64_t evaluations, const Budget& budget, bool second_choice)
+    : evaluations_{evaluations} {
+  sides_ = std::count_if(zones.begin(), zones.end(), [&](const Zone& z) { return !z.left_out() && is_wanted(sides, z.side); });
+  if (const auto all = budget.evaluations_left()) left_ = second_choice ? *all - *all / 4 : *all;
+}
+
+std::int64_t SideShares::next() {
+  if (!left_) return evaluations_;
+  const std::int64_t share = sides_ > 0 ? (*left_ + sides_ - 1) / sides_ : 0;
+  *left_ -= share;
+  if (sides_ > 0) --sides_;
+  return share;
+}
+
+std::string not_searched_sentence(Side side, const Budget& budget) {
+  const char* why = budget.canceled() ? "the run was stopped" : budget.cut_short() ? "the time was up" : "the budget was spent";
+  return fmt::format("The {} side was not searched: {}.", to_string(side), why);
 }
 
 std::string left_out_sentence(const Zone& zone) {

@@ -20,10 +20,23 @@ Pose transition_pose(const DockingTask& task, const Zone& zone, std::span<const 
 
 bool is_wanted(SideChoice choice, Side side);
 
-/// Work for the search on one side: `evaluations`, or an equal share of what the scenario's budget allows for all sides that are
-/// searched; a quarter of that is kept where a second choice stands by.
-SearchOptions options_per_side(const std::vector<Zone>& zones, SideChoice sides, std::int64_t evaluations, int population,
-                               const Budget& budget, bool second_choice);
+/// Shares the work between the sides that are searched.
+class SideShares {
+ public:
+  /// Each side gets `evaluations`, or an equal share of what the scenario's budget leaves; a quarter of that is kept where a second choice
+  /// stands by.
+  SideShares(const std::vector<Zone>& zones, SideChoice sides, std::int64_t evaluations, const Budget& budget, bool second_choice);
+  /// Evaluations for the next side, ≥ 0.
+  std::int64_t next();
+
+ private:
+  std::optional<std::int64_t> left_;  ///< of the budget
+  std::int64_t evaluations_;
+  std::int64_t sides_ = 0;            ///< to come
+};
+
+/// Why a side was not searched: nothing was left of the budget, the clock or the flag ended the run.
+std::string not_searched_sentence(Side side, const Budget& budget);
 
 /// Why a side was left out, with figures.
 std::string left_out_sentence(const Zone& zone);

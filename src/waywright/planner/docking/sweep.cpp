@@ -26,13 +26,40 @@ double bow(const SweptQuintic::State& a, const SweptQuintic::State& b, double h,
   return 1.5 * (position + radius * (turned * turned / 8.0 + heading));
 }
 
-/// Does the segment lie more than `away` beyond all corners along an axis (not of unit length)?
-bool separates(std::span<const Vec2> corners, const Segment& s, Vec2 axis, double away) {
+/// A line that no corner reaches, `away` before it: what lies beyond it is clear. The axis is not of unit length.
+struct Border {
+  Vec2 axis{};
+  double from = 0.0;
+  bool leaves_beyond(const Segment& s) const { return std::min(dot(axis, s.a), dot(axis, s.b)) > from; }
+};
+
+Border border_along(std::span<const Vec2> corners, Vec2 axis, double away) {
   double reach = dot(axis, corners[0]);
   for (const Vec2 c : corners.subspan(1)) reach = std::max(reach, dot(axis, c));
-  const double gap = std::min(dot(axis, s.a), dot(axis, s.b)) - reach;
-  return gap > 0.0 && gap * gap > away * away * squared_norm(axis);
+  return {axis, reach + away * norm(axis)};
 }
+
+/// Borders that left something beyond them; the next segment is often there too.
+class KnownBorders {
+ public:
+  bool leave_beyond(const Segment& s) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (borders_[i].leaves_beyond(s)) return true;
+    }
+    return false;
+  }
+  bool try_border(const Border& border, const Segment& s) {
+    if (!border.leaves_beyond(s)) return false;
+    borders_[next_] = border;
+    next_ = (next_ + 1) % borders_.size();
+    count_ = std::min(count_ + 1, borders_.size());
+    return true;
+  }
+
+ private:
+  std::array<Border, 4> borders_{};
+  std::size_t count_ = 0, next_ = 0;
+};
 
 }  // namespace
 
@@ -105,25 +132,26 @@ bool Sweep::is_surely_clear(const SweptPose& a, const SweptPose& b, double margi
     }
     box = {box.low - Vec2{away, away}, box.high + Vec2{away, away}};
     const std::span<const Vec2> both{corners.data(), 2 * n};
+    KnownBorders known;
     const auto is_beyond = [&](const Segment& s) {
+      if (known.leave_beyond(s)) return true;
       // From the nearest corner: exact where that is what comes nearest.
-      Vec2 from{}, to{};
+      Vec2 nearest{};
       double least = std::numeric_limits<double>::infinity();
       const Vec2 d = s.b - s.a;
       const double inverse = d == Vec2{} ? 0.0 : 1.0 / squared_norm(d);
       for (const Vec2 c : both) {
-        const Vec2 on = s.a + std::clamp(dot(c - s.a, d) * inverse, 0.0, 1.0) * d;
-        if (const double squared = squared_norm(on - c); squared < least) {
+        const Vec2 to = s.a + std::clamp(dot(c - s.a, d) * inverse, 0.0, 1.0) * d - c;
+        if (const double squared = squared_norm(to); squared < least) {
           least = squared;
-          from = c;
-          to = on;
+          nearest = to;
         }
       }
       if (least <= away * away) return false;
-      if (separates(both, s, to - from, away)) return true;
+      if (known.try_border(border_along(both, nearest, away), s)) return true;
       for (std::size_t i = 0; i < 2 * n; ++i) {
         const Vec2 edge = corners[i < n ? (i + 1) % n : n + (i + 1 - n) % n] - corners[i];
-        if (separates(both, s, {edge.y, -edge.x}, away)) return true;
+        if (known.try_border(border_along(both, {edge.y, -edge.x}, away), s)) return true;
       }
       return false;
     };

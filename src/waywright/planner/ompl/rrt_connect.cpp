@@ -75,6 +75,14 @@ End end_of_search(MotionTest& test, const Pose& pose, bool is_start) {
   return {pose, std::nullopt};
 }
 
+/// The goal with a straight run forwards into it; the pose of the goal itself where that run is not free.
+End goal_with_run(MotionTest& test, const Pose& goal, double run) {
+  const Vec2 before = goal.position() - run * unit(goal.heading);
+  const Piece piece{Line{before, goal.position()}, 1};
+  if (!test.motion_free(std::span{&piece, 1})) return {goal, std::nullopt};
+  return {make_pose(before, goal.heading), piece};
+}
+
 Path with_runs(const End& start, const Path& middle, const End& goal) {
   Path path;
   if (start.run) append_merged(path.pieces, *start.run);
@@ -172,7 +180,12 @@ PlanningResult RrtConnectPlanner::plan(const Problem& problem, Budget& budget) c
     search.error = "start and goal are the same pose, there is nothing to drive";
   } else {
     start = end_of_search(test, problem.start(), true);
-    goal = end_of_search(test, problem.goal(), false);
+    goal = options_.goal_straight > 0.0 ? goal_with_run(test, problem.goal(), options_.goal_straight) : end_of_search(test, problem.goal(), false);
+    if (options_.goal_straight > 0.0 && !goal.run) {
+      search.error = fmt::format("the straight run of {:g} m into the goal is not free", options_.goal_straight);
+    }
+  }
+  if (search.error.empty()) {
     search = tree_search(problem, {start.pose, goal.pose}, curves, test, options_.range, seed_);
   }
   if (!search.path || (search.path->pieces.empty() && !start.run && !goal.run)) {
@@ -236,6 +249,12 @@ PlannerDescription rrt_connect_description() {
            .low = 1,
            .high = 1e9,
            .whole = true},
+          {.name = "goal_straight",
+           .default_value = defaults.goal_straight,
+           .summary = "length of the straight run forwards into the goal; 0: as it comes",
+           .unit = "m",
+           .low = 0.0,
+           .high = 20.0},
           {.name = "simplify", .default_value = defaults.simplify, .summary = "shorten the path found"},
           {.name = "shortcuts",
            .default_value = static_cast<double>(defaults.shortcuts),
@@ -251,6 +270,7 @@ PlannerDescription rrt_connect_description() {
         options.range = std::get<double>(p.at("range"));
         options.resolution = std::get<double>(p.at("resolution"));
         options.checks = static_cast<std::int64_t>(std::get<double>(p.at("checks")));
+        options.goal_straight = std::get<double>(p.at("goal_straight"));
         options.simplify = std::get<bool>(p.at("simplify"));
         options.shortcuts = static_cast<int>(std::get<double>(p.at("shortcuts")));
         return RrtConnectPlanner{options, seed};

@@ -27,6 +27,8 @@ struct RrtConnectOptions {
   double resolution = 0.001;
   /// Footprint placements that may be tested; a scenario's budget.samples takes its place.
   std::int64_t checks = 60000;
+  /// m: the last stretch into the goal is this long, straight and forwards; 0: as it comes.
+  double goal_straight = 0.0;
   /// Whether the path found is shortened.
   bool simplify = true;
   /// Shortcuts tried on the path found.
