@@ -35,14 +35,12 @@ double far(const Point& a, const Point& b, std::size_t n) {
 }
 
 /// One run: everything that changes while searching.
-class Run {
+class Run final : public ResumableSearch {
  public:
-  Run(const CostFunction& cost, const SearchSpace& space, const SearchOptions& options, Budget& budget, const LatticeSearchOptions& tuning)
-      : cost_{cost},
-        space_{space},
+  Run(const SearchSpace& space, const SearchOptions& options, const LatticeSearchOptions& tuning)
+      : space_{space},
         n_{space.dimension()},
-        limit_{options.evaluations},
-        budget_{budget},
+        all_{options.evaluations},
         tuning_{tuning},
         cliff_{tuning.cliff},
         price_{tuning.price} {
@@ -54,43 +52,53 @@ class Run {
     }
     double power = 1.0;
     for (std::size_t i = 0; i < n_; ++i) alpha_[i] = power /= root;
-    seen_.reserve(static_cast<std::size_t>(std::min<std::int64_t>(limit_, most_seen)));
+    seen_.reserve(static_cast<std::size_t>(std::min<std::int64_t>(all_, most_seen)));
   }
 
-  SearchResult search() {
-    const std::int64_t all = limit_;
-    add_lattice(std::min(most_seen / 2, share_of(all, tuning_.lattice_share)));
-    limit_ = all - share_of(all, tuning_.polish_share);
+  const SearchResult& result() const override { return result_; }
+
+  void advance(const CostFunction& cost, std::int64_t evaluations, Budget& budget) override {
+    cost_ = &cost;
+    budget_ = &budget;
+    const std::int64_t halt = std::min(evaluations, all_);
+    const std::int64_t polishing = all_ - share_of(all_, tuning_.polish_share);
+    limit_ = std::min(halt, std::min(most_seen / 2, share_of(all_, tuning_.lattice_share)));
+    if (index_ < limit_) add_lattice(limit_ - index_);
+    limit_ = std::min(halt, polishing);
     while (may_go_on()) {
-      choose_starts();
-      const std::int64_t before = result_.evaluations;
-      descend();
-      if (may_go_on()) add_lattice(std::max<std::int64_t>(8, share_of(result_.evaluations - before, tuning_.more_lattice)));
+      if (starts_.empty()) {
+        choose_starts();
+        before_ = result_.evaluations;
+      }
+      if (!starts_.empty() && !round()) break;  // halted: the round is begun anew when it goes on
+      if (starts_.empty() && may_go_on()) {
+        add_lattice(std::max<std::int64_t>(8, share_of(result_.evaluations - before_, tuning_.more_lattice)));
+      }
     }
-    limit_ = all;
+    limit_ = halt;
+    if (halt <= polishing) return;
     if (champion_.size > 0.0) simplex(champion_, limit_);
     while (may_go_on()) {
       Point p = next_lattice_point();
       evaluate(p, best_objective_);
     }
-    return std::move(result_);
   }
 
  private:
   static std::int64_t share_of(std::int64_t count, double share) { return static_cast<std::int64_t>(std::ceil(share * static_cast<double>(count))); }
-  bool may_go_on() { return result_.evaluations < limit_ && !budget_.exhausted(); }
+  bool may_go_on() { return result_.evaluations < limit_ && !budget_->exhausted(); }
 
   double merit_of(const Point& p) const { return p.violation > 0.0 ? p.objective + cliff_ + price_ * p.violation : p.objective; }
 
   /// Fills what is known of a point. Where its objective alone is not under `enough`, its merit is something not under it.
   void evaluate(Point& p, double enough) {
     for (std::size_t i = 0; i < n_; ++i) x_[i] = space_.low[i] + p.u[i] * (space_.high[i] - space_.low[i]);
-    Evaluation e = cost_({x_.data(), n_}, enough);
+    Evaluation e = (*cost_)({x_.data(), n_}, enough);
     if (!(std::isfinite(e.objective) && std::isfinite(e.violation) && std::isfinite(e.graded))) {
       e = {1e30, 1e30, std::numeric_limits<double>::max()};
     }
     ++result_.evaluations;
-    budget_.count_evaluations();
+    budget_->count_evaluations();
     p.objective = e.objective;
     p.violation = e.violation;
     p.merit = merit_of(p);
@@ -154,18 +162,21 @@ class Run {
     }
   }
 
-  /// Rounds of simplex searches from the starts, of equal work for each; after each round the worse half is given up.
-  void descend() {
+  /// One round of simplex searches from the starts, of equal work for each; the worse half is given up, and with the last of them the
+  /// starts are done. False where it was halted.
+  bool round() {
     const std::int64_t each = static_cast<std::int64_t>(tuning_.work) * static_cast<std::int64_t>(n_);
-    while (!starts_.empty() && may_go_on()) {
-      for (Start& start : starts_) simplex(start, each);
-      std::stable_sort(starts_.begin(), starts_.end(), [](const Start& a, const Start& b) { return a.best().merit < b.best().merit; });
-      if (starts_.size() == 1) break;
+    for (Start& start : starts_) simplex(start, each);
+    std::stable_sort(starts_.begin(), starts_.end(), [](const Start& a, const Start& b) { return a.best().merit < b.best().merit; });
+    if (champion_.size == 0.0 || starts_.front().best().merit <= champion_.best().merit) champion_ = starts_.front();
+    if (!may_go_on()) return false;
+    if (starts_.size() > 1) {
       starts_.resize((starts_.size() + 1) / 2);
+      return true;
     }
-    if (starts_.empty()) return;
-    if (champion_.size == 0.0 || starts_.front().best().merit < champion_.best().merit) champion_ = starts_.front();
+    starts_.clear();
     if (champion_.best().violation > 0.0) raise_price();
+    return true;
   }
 
   /// Searches settle where something is violated: it is too cheap.
@@ -254,16 +265,16 @@ class Run {
     }
   }
 
-  const CostFunction& cost_;
-  const SearchSpace& space_;
+  const CostFunction* cost_ = nullptr;
+  SearchSpace space_;
   std::size_t n_;
-  std::int64_t limit_;
-  Budget& budget_;
-  const LatticeSearchOptions& tuning_;
+  std::int64_t all_, limit_ = 0;
+  Budget* budget_ = nullptr;
+  LatticeSearchOptions tuning_;
   double cliff_, price_;
   std::array<double, LatticeSearch::most_variables> x_{}, alpha_{};
   double best_objective_ = infinity;  ///< of the feasible
-  std::int64_t index_ = 0, work_end_ = 0;
+  std::int64_t index_ = 0, work_end_ = 0, before_ = 0;
   std::vector<Point> seen_;
   std::vector<Start> starts_;
   Start champion_;
@@ -275,7 +286,14 @@ class Run {
 SearchResult LatticeSearch::minimise(const CostFunction& cost, const SearchSpace& space, const SearchOptions& options,
                                      Budget& budget) const {
   if (space.dimension() == 0 || space.dimension() > most_variables || options.evaluations < 1) return {};
-  return Run{cost, space, options, budget, options_}.search();
+  Run run{space, options, options_};
+  run.advance(cost, options.evaluations, budget);
+  return run.result();
+}
+
+std::unique_ptr<ResumableSearch> LatticeSearch::begin(const SearchSpace& space, const SearchOptions& options) const {
+  if (space.dimension() == 0 || space.dimension() > most_variables || options.evaluations < 1) return nullptr;
+  return std::make_unique<Run>(space, options, options_);
 }
 
 OptimizerDescription lattice_search_description() {

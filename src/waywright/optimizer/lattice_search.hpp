@@ -36,6 +36,7 @@ class LatticeSearch final : public Optimizer {
   explicit LatticeSearch(LatticeSearchOptions options = {}) : options_{options} {}
   SearchResult minimise(const CostFunction& cost, const SearchSpace& space, const SearchOptions& options,
                         Budget& budget) const override;
+  std::unique_ptr<ResumableSearch> begin(const SearchSpace& space, const SearchOptions& options) const override;
 
  private:
   LatticeSearchOptions options_;

@@ -42,12 +42,23 @@ struct SearchResult {
   std::int64_t evaluations = 0;
 };
 
+/// A search that can be halted and taken up again: two searches side by side, the better one gets what is left.
+class ResumableSearch {
+ public:
+  virtual ~ResumableSearch() = default;
+  /// Goes on until `evaluations` in all are done, or the budget is exhausted. The cost function is the same each time.
+  virtual void advance(const CostFunction& cost, std::int64_t evaluations, Budget& budget) = 0;
+  virtual const SearchResult& result() const = 0;
+};
+
 /// Same cost function, space, options: the same result bit for bit. Stops at the budget or when it is exhausted.
 class Optimizer {
  public:
   virtual ~Optimizer() = default;
   virtual SearchResult minimise(const CostFunction& cost, const SearchSpace& space, const SearchOptions& options,
                                 Budget& budget) const = 0;
+  /// The same search, halted before its first evaluation; nullptr where the algorithm cannot be halted.
+  virtual std::unique_ptr<ResumableSearch> begin(const SearchSpace&, const SearchOptions&) const { return nullptr; }
 };
 
 struct OptimizerDescription {

@@ -46,7 +46,7 @@ std::vector<ParameterDescription> docking_parameters(const std::string& optimize
 }
 
 PlannerDescription pattern_docking_description() {
-  std::vector<ParameterDescription> parameters = docking_parameters("lattice_search", 1000.0);
+  std::vector<ParameterDescription> parameters = docking_parameters("lattice_search", 600.0);
   const std::vector<ParameterDescription> more{
       {.name = "heading_range", .default_value = 1.0,
        .summary = "how far the heading at the transition may leave the perpendicular to the shelf's axis; 0 fixes it", .unit = "rad",

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "waywright/planner/docking/candidate.hpp"
@@ -16,6 +17,11 @@ namespace {
 // The publication's reference transition point in front of and beside the shelf, for its largest curvature of 0.8 1/m.
 constexpr Vec2 published_reference{4.0, 3.5};
 constexpr double published_curvature = 0.8;
+
+constexpr double first_share = 0.3;        // of the evaluations of a side, before sides are compared
+constexpr double by_far = 1.1;             // a side that costs more than this times the other one's best is given up
+constexpr int harder_times = 4;            // evaluations of a second search where the first one finds nothing
+constexpr double infeasible_costs = 100.0;  // graded costs from here on stand for what is not feasible
 
 double objective_value(const PatternDockingOptions& options, const PathMeasures& path, const PathMeasures& reference) {
   return options.objective == DockingObjective::normalised
@@ -63,47 +69,126 @@ std::string infeasible_sentence(const Problem& problem, const SideOutcome& outco
   return text + ".";
 }
 
-SideOutcome search_side(const Problem& problem, const DockingTask& task, const Zone& zone,
-                        const PatternDockingOptions& options, const Optimizer& optimizer, const PathMeasures& reference,
-                        CandidateEvaluator& evaluator, const SearchOptions& search, Budget& budget) {
+/// The search on one side, which can be halted while it is seen which side deserves the work.
+class SideSearch {
+ public:
+  SideSearch(const PreparedDocking& prepared, const Zone& zone, const PatternDockingOptions& options, const Optimizer& optimizer,
+             const PathMeasures& reference, CandidateEvaluator& evaluator, const SearchOptions& search)
+      : prepared_{prepared}, zone_{zone}, options_{options}, optimizer_{optimizer}, evaluator_{evaluator}, search_{search},
+        space_{search_space(zone, options.heading_range)}, start_{placement_of(prepared.problem().start())},
+        dock_{placement_of(prepared.problem().goal())}, resumable_{optimizer.begin(space_, search)} {
+    cost_ = [this, reference](std::span<const double> x, double enough) {
+      const DockingPattern pattern = pattern_at(x);
+      CandidateScore score = evaluator_.measure(pattern);
+      const double objective = objective_value(options_, score.measures, reference);
+      if (objective >= enough) return Evaluation{objective, 0.0, objective};
+      evaluator_.check(pattern, score);
+      return Evaluation{objective, score.violation(), graded_cost(score, objective)};
+    };
+  }
+  SideSearch(const SideSearch&) = delete;
+  SideSearch& operator=(const SideSearch&) = delete;
+
+  std::int64_t evaluations() const { return search_.evaluations; }
+  /// Goes on to a share of all its evaluations; all at once where the optimizer cannot be halted.
+  void advance(double share, Budget& budget) {
+    if (search_.evaluations < 1) return;
+    if (resumable_) {
+      resumable_->advance(cost_, static_cast<std::int64_t>(std::ceil(share * static_cast<double>(search_.evaluations))), budget);
+    } else if (plain_.best.empty()) {
+      plain_ = optimizer_.minimise(cost_, space_, search_, budget);
+    }
+  }
+  const SearchResult& result() const { return resumable_ ? resumable_->result() : plain_; }
+  bool is_feasible() const { return !result().best.empty() && result().cost < infeasible_costs; }
+  SideOutcome outcome(bool given_up, const Budget& budget) const;
+
+ private:
+  DockingPattern pattern_at(std::span<const double> x) const {
+    return docking_pattern(start_, dock_, transition_placement(prepared_.task(), zone_, x), options_.leads);
+  }
+
+  const PreparedDocking& prepared_;
+  const Zone& zone_;
+  const PatternDockingOptions& options_;
+  const Optimizer& optimizer_;
+  CandidateEvaluator& evaluator_;
+  SearchOptions search_;
+  SearchSpace space_;
+  Placement start_, dock_;
+  CostFunction cost_;
+  std::unique_ptr<ResumableSearch> resumable_;
+  SearchResult plain_;
+};
+
+SideOutcome SideSearch::outcome(bool given_up, const Budget& budget) const {
+  const Problem& problem = prepared_.problem();
+  const SearchResult& found = result();
   SideOutcome outcome;
-  outcome.side = zone.side;
-  const Placement start = placement_of(problem.start());
-  const Placement dock = placement_of(problem.goal());
-  const auto pattern_at = [&](std::span<const double> x) {
-    return docking_pattern(start, dock, transition_placement(task, zone, x), options.leads);
-  };
-  const CostFunction cost = [&](std::span<const double> x, double enough) {
-    const DockingPattern pattern = pattern_at(x);
-    CandidateScore score = evaluator.measure(pattern);
-    const double objective = objective_value(options, score.measures, reference);
-    if (objective >= enough) return Evaluation{objective, 0.0, objective};
-    evaluator.check(pattern, score);
-    return Evaluation{objective, score.violation(), graded_cost(score, objective)};
-  };
-  const SearchResult result = optimizer.minimise(cost, search_space(zone, options.heading_range), search, budget);
-  if (result.best.empty()) {
-    outcome.sentence = not_searched_sentence(zone.side, budget);
+  outcome.side = zone_.side;
+  if (found.best.empty()) {
+    outcome.sentence = not_searched_sentence(zone_.side, budget);
     return outcome;
   }
   outcome.searched = true;
-  const DockingPattern pattern = pattern_at(result.best);
-  const CandidateScore score = evaluator.evaluate(pattern);
+  const DockingPattern pattern = pattern_at(found.best);
+  const CandidateScore score = evaluator_.evaluate(pattern);
   outcome.path = pattern_path(splines_of(pattern));
-  outcome.transition = transition_pose(task, zone, result.best);
+  outcome.transition = transition_pose(prepared_.task(), zone_, found.best);
   outcome.feasible = score.feasible();
-  outcome.cost = result.cost;
+  outcome.cost = found.cost;
   if (!score.free) outcome.contact = problem.world().clearance(problem.footprint(), score.blocked_at, 1.0);
   if (outcome.feasible) {
     outcome.sentence = fmt::format(
         "On the {} side the best of {} candidates costs {:.4f}: {:.2f} m long, change of curvature {:.3f} 1/m, greatest "
         "curvature {:.3f} 1/m.",
-        to_string(zone.side), result.evaluations, outcome.cost, score.measures.length, score.measures.curvature_change,
+        to_string(zone_.side), found.evaluations, outcome.cost, score.measures.length, score.measures.curvature_change,
         score.measures.max_curvature);
   } else {
-    outcome.sentence = infeasible_sentence(problem, outcome, score, result.evaluations);
+    outcome.sentence = infeasible_sentence(problem, outcome, score, found.evaluations);
   }
+  if (given_up) outcome.sentence += " The search there was ended, as the other side is better by far.";
   return outcome;
+}
+
+/// Both sides get a first share; then a side that is worse by far than the other one is given up.
+std::vector<SideOutcome> search_sides(const PreparedDocking& prepared, const PatternDockingOptions& options, const Optimizer& optimizer,
+                                      std::uint64_t seed, bool second_choice, Budget& budget) {
+  const DockingTask& task = prepared.task();
+  CandidateEvaluator evaluator{prepared};
+  const PathMeasures reference = reference_measures(prepared.problem(), task, options.leads, evaluator);
+  SideShares shares{task.zones, options.sides, options.evaluations, budget, second_choice};
+  std::vector<std::unique_ptr<SideSearch>> searches;  // nullptr: a side that is not searched
+  for (const Zone& zone : task.zones) {
+    searches.push_back(nullptr);
+    if (zone.left_out() || !is_wanted(options.sides, zone.side)) continue;
+    SearchOptions search;
+    search.population = options.population;
+    search.seed = seed + (zone.side == Side::left ? 0 : 1);
+    search.evaluations = shares.next();
+    searches.back() = std::make_unique<SideSearch>(prepared, zone, options, optimizer, reference, evaluator, search);
+  }
+  double best = std::numeric_limits<double>::infinity();
+  for (const auto& search : searches) {
+    if (!search) continue;
+    search->advance(first_share, budget);
+    if (search->is_feasible()) best = std::min(best, search->result().cost);
+  }
+  std::vector<SideOutcome> outcomes;
+  for (std::size_t i = 0; i < searches.size(); ++i) {
+    const Zone& zone = task.zones[i];
+    if (searches[i]) {
+      const bool given_up = std::isfinite(best) && !(searches[i]->is_feasible() && searches[i]->result().cost <= by_far * best);
+      if (!given_up) searches[i]->advance(1.0, budget);
+      outcomes.push_back(searches[i]->outcome(given_up, budget));
+      continue;
+    }
+    SideOutcome outcome;
+    outcome.side = zone.side;
+    outcome.sentence = zone.left_out() ? left_out_sentence(zone) : fmt::format("The {} side was not asked for.", to_string(zone.side));
+    outcomes.push_back(std::move(outcome));
+  }
+  return outcomes;
 }
 
 std::vector<std::string> explain(const Problem& problem, const PatternDockingOptions& options, const SideOutcome& best,
@@ -144,15 +229,22 @@ std::vector<std::string> explain(const Problem& problem, const PatternDockingOpt
   return text;
 }
 
-/// The reason says it in one sentence, the explanation side by side.
-PlanningFailure failure_of(const DockingTask& task, const std::vector<SideOutcome>& outcomes, const Budget& budget) {
+/// The reason says what is in the way of each side, the explanation more of it.
+PlanningFailure failure_of(const Problem& problem, const DockingTask& task, const std::vector<SideOutcome>& outcomes, const Budget& budget) {
   PlanningFailure failure;
-  for (const SideOutcome& outcome : outcomes) {
+  std::vector<std::string> sides;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const SideOutcome& outcome = outcomes[i];
     failure.explanation.push_back(outcome.sentence);
     if (outcome.contact && !failure.failure.point) failure.failure.point = outcome.contact->point;
+    const std::string why = task.zones[i].left_out() ? "too narrow"
+                            : !outcome.searched      ? "not searched"
+                            : outcome.contact        ? "blocked by " + contact_words(problem, *outcome.contact)
+                                                     : "over the limit of curvature or its rate";
+    sides.push_back(fmt::format("{} side {}", to_string(outcome.side), why));
   }
   failure.failure.status = budget.canceled() ? Status::canceled : budget.cut_short() ? Status::timed_out : Status::no_path;
-  failure.failure.reason = "no docking pattern fits on either side";
+  failure.failure.reason = fmt::format("no docking pattern fits: {}", fmt::join(sides, ", "));
   failure.alternatives = alternatives_of(task, outcomes, nullptr);
   return failure;
 }
@@ -177,32 +269,16 @@ PlanningResult PatternDockingPlanner::plan(const Problem& problem, Budget& budge
 PlanningResult PatternDockingPlanner::plan(const PreparedDocking& prepared, Budget& budget) const {
   const Problem& problem = prepared.problem();
   const DockingTask& task = prepared.task();
-  CandidateEvaluator evaluator{prepared};
-  const PathMeasures reference = reference_measures(problem, task, options_.leads, evaluator);
-
-  SideShares shares{task.zones, options_.sides, options_.evaluations, budget, fallback_.has_value()};
-  SearchOptions search;
-  search.population = options_.population;
-  std::vector<SideOutcome> outcomes;
-  for (const Zone& zone : task.zones) {
-    SideOutcome outcome;
-    outcome.side = zone.side;
-    if (zone.left_out()) {
-      outcome.sentence = left_out_sentence(zone);
-    } else if (!is_wanted(options_.sides, zone.side)) {
-      outcome.sentence = fmt::format("The {} side was not asked for.", to_string(zone.side));
-    } else {
-      search.seed = seed_ + (zone.side == Side::left ? 0 : 1);
-      search.evaluations = shares.next();
-      outcome = search_side(problem, task, zone, options_, *optimizer_, reference, evaluator, search, budget);
-    }
-    outcomes.push_back(std::move(outcome));
+  std::vector<SideOutcome> outcomes = search_sides(prepared, options_, *optimizer_, seed_, fallback_.has_value(), budget);
+  if (best_of(outcomes) == nullptr && !budget.limits().evaluations && !budget.exhausted()) {
+    PatternDockingOptions harder = options_;
+    harder.evaluations *= harder_times;
+    outcomes = search_sides(prepared, harder, *optimizer_, seed_, fallback_.has_value(), budget);
   }
-
   if (const SideOutcome* best = best_of(outcomes)) {
     return Planned{best->path, explain(problem, options_, *best, outcomes, task.zones.front().of), alternatives_of(task, outcomes, best)};
   }
-  PlanningFailure failure = failure_of(task, outcomes, budget);
+  PlanningFailure failure = failure_of(problem, task, outcomes, budget);
   if (!fallback_ || budget.exhausted()) return tl::unexpected{std::move(failure)};
 
   PlanningResult second = fallback_->plan(problem, budget);

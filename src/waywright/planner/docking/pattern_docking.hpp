@@ -17,7 +17,9 @@ enum class SideChoice { both, left, right };
 enum class DockingObjective { normalised, exponential };
 
 struct PatternDockingOptions {
-  std::int64_t evaluations = 1000;  ///< candidates per side, ≥ 1; a scenario's budget.evaluations is for all sides together
+  /// Candidates per side, ≥ 1; where none of them serves, four times as many are tried before the second choice is asked. A scenario's
+  /// budget.evaluations takes its place, for all sides together.
+  std::int64_t evaluations = 600;
   int population = 20;              ///< of optimisers that have one
   double heading_range = 1.0;       ///< rad, the transition heading may leave the perpendicular by this; 0: two variables
   PatternLeads leads;
