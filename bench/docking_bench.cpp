@@ -107,11 +107,7 @@ void side_ours(benchmark::State& state, Clutter clutter) {
   const Placement dock = placement_of(s.problem.goal());
   const CostFunction cost = [&](std::span<const double> x, double enough) {
     const DockingPattern pattern = docking_pattern(start, dock, transition_placement(s.prepared.task(), zone, x), {});
-    CandidateScore score = evaluator.measure(pattern);
-    const double objective = 0.7 * score.measures.curvature_change / 2.4 + 0.3 * score.measures.length / 12.0;
-    if (objective >= enough) return Evaluation{objective, 0.0, objective};
-    evaluator.check(pattern, score);
-    return Evaluation{objective, score.violation(), graded_cost(score, objective)};
+    return evaluation_of(evaluator, pattern, enough, [](const PathMeasures& m) { return 0.7 * m.curvature_change / 2.4 + 0.3 * m.length / 12.0; });
   };
   for (auto _ : state) {
     Budget budget;

@@ -35,23 +35,19 @@ class Task {
     return evaluator_.evaluate(docking_pattern(prepared_.problem().start(), prepared_.problem().goal(), transition_pose(prepared_.task(), zone_, x), {}));
   }
   /// The publication's weights against a path of 12 m and 2.4 1/m.
-  static double base(const CandidateScore& s) { return 0.7 * s.measures.curvature_change / 2.4 + 0.3 * s.measures.length / 12.0; }
+  static double base(const PathMeasures& m) { return 0.7 * m.curvature_change / 2.4 + 0.3 * m.length / 12.0; }
   Evaluation evaluate(std::span<const double> x, double enough) {
     const DockingPattern pattern =
         docking_pattern(prepared_.problem().start(), prepared_.problem().goal(), transition_pose(prepared_.task(), zone_, x), {});
-    CandidateScore s = evaluator_.measure(pattern);
-    const double objective = base(s);
-    if (objective >= enough) return {objective, 0.0, objective};
-    evaluator_.check(pattern, s);
-    return {objective, s.violation(), graded_cost(s, objective)};
+    return evaluation_of(evaluator_, pattern, enough, base);
   }
   double graded(std::span<const double> x) {
     const CandidateScore s = score(x);
-    return graded_cost(s, base(s));
+    return graded_cost(s, base(s.measures));
   }
   double flat(std::span<const double> x) {
     const CandidateScore s = score(x);
-    return base(s) + (!s.free ? 1000.0 : s.excess > 0.0 ? 100.0 : 0.0);
+    return base(s.measures) + (!s.free ? 1000.0 : s.excess > 0.0 ? 100.0 : 0.0);
   }
 
  private:

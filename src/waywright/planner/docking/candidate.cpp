@@ -73,7 +73,7 @@ CandidateScore CandidateEvaluator::measure(const DockingPattern& pattern) {
   return score;
 }
 
-SweptPose CandidateEvaluator::pose_at(const lanes::Track& track, std::size_t i) const {
+Placement CandidateEvaluator::pose_at(const lanes::Track& track, std::size_t i) const {
   return {prepared_.field().origin() + Vec2{static_cast<double>(track.x[i]), static_cast<double>(track.y[i])},
           {static_cast<double>(track.heading_x[i]), static_cast<double>(track.heading_y[i])}};
 }
@@ -133,7 +133,7 @@ void CandidateEvaluator::check(const DockingPattern& pattern, CandidateScore& sc
     if (hit == lanes::samples) continue;
     int known = hit;
     while (known > 0 && is_open(screen, known - 1)) --known;
-    const SweptPose pose = pose_at(tracks_[k], static_cast<std::size_t>(hit));
+    const Placement pose = pose_at(tracks_[k], static_cast<std::size_t>(hit));
     return blocked((k == 0 ? head : middle) + length_up_to(tracks_[k], known), pose.position, pose.heading);
   }
 
@@ -144,7 +144,7 @@ void CandidateEvaluator::check(const DockingPattern& pattern, CandidateScore& sc
       const bool at_end = (k == 0 && i == 0 && head == 0.0) || (k == 1 && i + 2 == lanes::samples && tail == 0.0);
       const auto at = static_cast<std::size_t>(i);
       if (!at_end && sweep_.is_surely_clear(pose_at(tracks_[k], at), pose_at(tracks_[k], at + 1), wanted, bow_of(tracks_[k], at))) continue;
-      const SweptPose end = pose_at(tracks_[k], at + 1);
+      const Placement end = pose_at(tracks_[k], at + 1);
       if (!at_end && !sweep_.is_free(end, wanted)) return blocked((k == 0 ? head : middle) + length_up_to(tracks_[k], i), end.position, end.heading);
       constexpr double h = 1.0 / (lanes::samples - 1);
       if (sweep_.is_clear(quintic, i * h, (i + 1) * h, at_end ? at_ends : wanted)) continue;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "waywright/objective/docking_cost.hpp"
+#include "waywright/optimizer/optimizer.hpp"
 #include "waywright/planner/docking/pattern.hpp"
 #include "waywright/planner/docking/prepared.hpp"
 #include "waywright/planner/docking/sweep.hpp"
@@ -53,7 +54,7 @@ class CandidateEvaluator {
     bool clear = false;
     bool is_clear(Sweep& sweep, Vec2 begin, Vec2 end, Vec2 along, double margin);
   };
-  SweptPose pose_at(const lanes::Track& track, std::size_t i) const;
+  Placement pose_at(const lanes::Track& track, std::size_t i) const;
   double bow_of(const lanes::Track& track, std::size_t i) const;
 
   const PreparedDocking& prepared_;
@@ -66,8 +67,18 @@ class CandidateEvaluator {
   std::array<lanes::Track, 2> tracks_;
 };
 
-/// Cost that the search minimises: `base` where feasible; above it graded, so that a search finds its way into narrow stations:
+/// For searches that know one number alone: `base` where feasible; above it graded, so that they find their way into narrow stations:
 /// the farther the path came before its first contact, the lower.
 double graded_cost(const CandidateScore& score, double base);
+
+/// A pattern as an optimizer wants it: `objective(measures)` first, contact only where that is under `enough`.
+template <class Objective>
+Evaluation evaluation_of(CandidateEvaluator& evaluator, const DockingPattern& pattern, double enough, const Objective& objective) {
+  CandidateScore score = evaluator.measure(pattern);
+  const double value = objective(score.measures);
+  if (value >= enough) return {value, 0.0, value};
+  evaluator.check(pattern, score);
+  return {value, score.violation(), graded_cost(score, value)};
+}
 
 }  // namespace waywright

@@ -103,7 +103,7 @@ bool Sweep::between(const SweptQuintic& quintic, double u0, const State& a, doub
   return between(quintic, u0, a, u, middle, margin, halvings - 1) && between(quintic, u, middle, u1, b, margin, halvings - 1);
 }
 
-bool Sweep::is_free(const SweptPose& pose, double margin) {
+bool Sweep::is_free(const Placement& pose, double margin) {
   for (const Ring& part : prepared_.parts()) {
     corners_.clear();
     for (const Vec2 p : part) corners_.push_back(pose.position + p.x * pose.heading + p.y * left_of(pose.heading));
@@ -112,7 +112,7 @@ bool Sweep::is_free(const SweptPose& pose, double margin) {
   return true;
 }
 
-bool Sweep::is_surely_clear(const SweptPose& a, const SweptPose& b, double margin, double bow) const {
+bool Sweep::is_surely_clear(const Placement& a, const Placement& b, double margin, double bow) const {
   constexpr std::size_t most_corners = 16;
   const double away = margin + bow + prepared_.disc();
   std::array<Vec2, 2 * most_corners> corners;

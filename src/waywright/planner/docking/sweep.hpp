@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "waywright/curve/curve.hpp"
+#include "waywright/planner/docking/pattern.hpp"
 #include "waywright/planner/docking/prepared.hpp"
 
 namespace waywright {
@@ -21,11 +22,6 @@ struct SweptQuintic {
   State at(double u) const;
 };
 
-struct SweptPose {
-  Vec2 position{};
-  Vec2 heading{1.0, 0.0};  ///< unit
-};
-
 /// Hulls of the footprint's convex parts at both ends of a stretch hold every pose between, but for a bow that shrinks with the square of
 /// the stretch and is allowed for here from the curve's derivatives at both ends. (The proof bounds it rigorously.) Reuses its
 /// memory.
@@ -39,10 +35,10 @@ class Sweep {
   bool is_clear(Vec2 from, Vec2 to, Vec2 heading, double margin);
 
   /// True where the footprint at a pose keeps more than `margin` from everything.
-  bool is_free(const SweptPose& pose, double margin);
+  bool is_free(const Placement& pose, double margin);
   /// A sufficient test for a short motion between two poses that leaves their straight interpolation by at most `bow`: every obstacle lies
   /// beyond a line that is `margin` + `bow` away from the footprint's convex parts at both ends.
-  bool is_surely_clear(const SweptPose& a, const SweptPose& b, double margin, double bow) const;
+  bool is_surely_clear(const Placement& a, const Placement& b, double margin, double bow) const;
 
  private:
   using State = SweptQuintic::State;
