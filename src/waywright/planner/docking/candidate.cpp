@@ -33,9 +33,9 @@ bool is_open(const lanes::Screen& screen, int interval) {
 }
 
 double length_up_to(const lanes::Track& track, int sample) {
-  double length = 0.0;
-  for (int i = 0; i < sample; ++i) length += static_cast<double>(track.step[i]);
-  return length;
+  std::array<double, 4> length{};  // side by side: one sum would wait for itself
+  for (int i = 0; i < sample; ++i) length[static_cast<std::size_t>(i % 4)] += static_cast<double>(track.step[i]);
+  return (length[0] + length[1]) + (length[2] + length[3]);
 }
 
 double straight_lengths(const PatternPoints& p) {
@@ -51,14 +51,15 @@ CandidateEvaluator::CandidateEvaluator(const PreparedDocking& prepared, const la
       field_{prepared.lane_field()},
       sweep_{prepared},
       curvature_limit_{prepared.problem().vehicle().max_curvature() * limit_share},
+      has_rate_limit_{prepared.problem().vehicle().limits.curvature_rate.has_value()},
       rate_limit_{prepared.problem().vehicle().limits.curvature_rate.value_or(std::numeric_limits<double>::infinity()) *
                   limit_share} {}
 
 CandidateScore CandidateEvaluator::measure(const DockingPattern& pattern) {
   CandidateScore score;
   const Vec2 origin = prepared_.field().origin();
-  kernels_.trace(lane_quintic(pattern.back, origin, -1), tracks_[0]);
-  kernels_.trace(lane_quintic(pattern.forth, origin, 1), tracks_[1]);
+  kernels_.trace(lane_quintic(pattern.back, origin, -1), has_rate_limit_, tracks_[0]);
+  kernels_.trace(lane_quintic(pattern.forth, origin, 1), has_rate_limit_, tracks_[1]);
   PathMeasures& m = score.measures;
   m.length = straight_lengths(pattern.points);
   for (const lanes::Track& track : tracks_) {

@@ -15,7 +15,7 @@ namespace waywright {
 /// What a candidate came to.
 struct CandidateScore {
   PathMeasures measures;
-  double max_curvature_rate = 0.0;  ///< 1/m²
+  double max_curvature_rate = 0.0;  ///< 1/m²; 0 where the vehicle has no limit of it
   double reach = 0.0;               ///< share of the path driven before the first contact, in [0, 1]
   double deficit = 0.0;             ///< m², how deep and how long the footprint is too near to something, about; > 0 where not free
   bool free = false;                ///< reached the end
@@ -63,6 +63,7 @@ class CandidateEvaluator {
   Sweep sweep_;
   KnownRun start_run_, dock_run_;
   double curvature_limit_;
+  bool has_rate_limit_;
   double rate_limit_;
   std::array<lanes::Track, 2> tracks_;
 };

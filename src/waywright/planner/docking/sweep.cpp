@@ -107,7 +107,8 @@ bool Sweep::is_free(const Placement& pose, double margin) {
   for (const Ring& part : prepared_.parts()) {
     corners_.clear();
     for (const Vec2 p : part) corners_.push_back(pose.position + p.x * pose.heading + p.y * left_of(pose.heading));
-    if (!prepared_.problem().world().is_free(corners_, margin + prepared_.disc())) return false;
+    // What stands wholly inside something solid is known from the field: only what crosses its outline is asked about here.
+    if (!prepared_.problem().world().index().is_clear(corners_, margin + prepared_.disc())) return false;
   }
   return true;
 }

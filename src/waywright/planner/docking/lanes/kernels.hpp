@@ -70,7 +70,8 @@ struct Screen {
 
 struct Kernels {
   const char* name;
-  void (*trace)(const Quintic&, Track&);
+  /// `with_rate` false: the rate of curvature is left alone, and max_rate is 0.
+  void (*trace)(const Quintic&, bool with_rate, Track&);
   /// `fine` is asked where `coarse`, another cover of the same footprint, does not settle a stretch.
   void (*screen)(const Track&, Discs coarse, Discs fine, const Field&, Screen&);
 };

@@ -252,7 +252,8 @@ WAYWRIGHT_INLINE Floats peak(Floats a, Floats b, Floats c) {
   return select((b >= a) & (b > c) & (all(0.0F) > bend), top, b);
 }
 
-void trace(const Quintic& q, Track& track) {
+template <bool with_rate>
+WAYWRIGHT_INLINE void trace_all(const Quintic& q, Track& track) {
   Floats length = all(0.0F);
   for (int i = 0; i < traced; i += width) {
     const auto sum = [i](const float* e, float chord, const float* a, float tangent, const float* c, float end) WAYWRIGHT_ALWAYS {
@@ -265,8 +266,6 @@ void trace(const Quintic& q, Track& track) {
     const Floats y1 = sum(b.e1, q.chord_y, b.a1, q.tangent_y, b.c1, q.end_tangent_y);
     const Floats x2 = sum(b.e2, q.chord_x, b.a2, q.tangent_x, b.c2, q.end_tangent_x);
     const Floats y2 = sum(b.e2, q.chord_y, b.a2, q.tangent_y, b.c2, q.end_tangent_y);
-    const Floats x3 = sum(b.e3, q.chord_x, b.a3, q.tangent_x, b.c3, q.end_tangent_x);
-    const Floats y3 = sum(b.e3, q.chord_y, b.a3, q.tangent_y, b.c3, q.end_tangent_y);
     const Floats squared = x1 * x1 + y1 * y1;
     const Floats speed = root(squared);
     const Floats inverse = all(1.0F) / greater(speed, all(1e-12F));
@@ -275,15 +274,19 @@ void trace(const Quintic& q, Track& track) {
     const Floats inverse2 = inverse * inverse;
     const Floats turn = x1 * y2 - y1 * x2;  // N; κ = N / |p′|³
     store(&track.curvature[i], turn * inverse * inverse2);
-    // dκ/ds = (N′ |p′|² − 3 N (p′·p″)) / |p′|⁶
-    const Floats rate = (x1 * y3 - y1 * x3) * squared - turn * (x1 * x2 + y1 * y2) * 3.0F;
-    store(&track.rate[i], rate * inverse2 * inverse2 * inverse2);
+    if constexpr (with_rate) {
+      // dκ/ds = (N′ |p′|² − 3 N (p′·p″)) / |p′|⁶
+      const Floats x3 = sum(b.e3, q.chord_x, b.a3, q.tangent_x, b.c3, q.end_tangent_x);
+      const Floats y3 = sum(b.e3, q.chord_y, b.a3, q.tangent_y, b.c3, q.end_tangent_y);
+      const Floats rate = (x1 * y3 - y1 * x3) * squared - turn * (x1 * x2 + y1 * y2) * 3.0F;
+      store(&track.rate[i], rate * inverse2 * inverse2 * inverse2);
+    }
     length = length + speed * load(b.weight + i);
   }
   store(&track.x[traced], all(track.x[samples - 1]));
   store(&track.y[traced], all(track.y[samples - 1]));
   store(&track.curvature[traced], all(track.curvature[samples - 1]));
-  store(&track.rate[traced], all(track.rate[samples - 1]));
+  if constexpr (with_rate) store(&track.rate[traced], all(track.rate[samples - 1]));
 
   Floats change = all(0.0F), top_curvature = change, top_rate = change;
   for (int i = 0; i < traced; i += width) {
@@ -300,12 +303,16 @@ void trace(const Quintic& q, Track& track) {
       return greater(first, peak(first, magnitude(load(list + 1)), magnitude(load(list + 2))));
     };
     top_curvature = greater(top_curvature, highest(&track.curvature[i]));
-    top_rate = greater(top_rate, highest(&track.rate[i]));
+    if constexpr (with_rate) top_rate = greater(top_rate, highest(&track.rate[i]));
   }
   track.length = sum_of(length);
   track.curvature_change = sum_of(change);
   track.max_curvature = greatest_of(top_curvature);
   track.max_rate = greatest_of(top_rate);
+}
+
+void trace(const Quintic& q, bool with_rate, Track& track) {
+  with_rate ? trace_all<true>(q, track) : trace_all<false>(q, track);
 }
 
 /// The vehicle at sixteen neighbouring samples.
