@@ -59,8 +59,17 @@ TEST(Candidate, FreeIsWhatKeepsItsClearanceAtEveryMillimetre) {
   }
 }
 
+Problem with_rate_limit(Id id) {
+  Scenario scenario = fixture::station(id);
+  scenario.vehicle.limits.curvature_rate = 1.5;
+  return Problem::prepare(scenario).value();
+}
+
 TEST(Candidate, MeasuresAreThoseOfTheCurve) {
-  const Problem problem = fixture::problem(Id::d0);
+  const Problem problem = with_rate_limit(Id::d0);
+  const Problem unlimited = fixture::problem(Id::d0);
+  const PreparedDocking unlimited_prepared{unlimited};
+  CandidateEvaluator unlimited_evaluator{unlimited_prepared};
   const PreparedDocking prepared{problem};
   CandidateEvaluator evaluator{prepared};
   Random random{11};
@@ -77,11 +86,15 @@ TEST(Candidate, MeasuresAreThoseOfTheCurve) {
       for (int k = 0; k <= 2000; ++k) rate = std::max(rate, std::abs(evaluate(span, k / 2000.0).curvature_rate));
     }
     EXPECT_NEAR(score.max_curvature_rate, rate, 0.002 * rate);
+    EXPECT_EQ(score.excess > 0.0, rate > 1.5 || score.measures.max_curvature > 0.8) << i;
+    const CandidateScore without = unlimited_evaluator.measure(pattern);
+    EXPECT_EQ(without.max_curvature_rate, 0.0);
+    EXPECT_EQ(without.measures.curvature_change, score.measures.curvature_change);
   }
 }
 
 TEST(Candidate, EveryInstructionSetGivesTheSameBits) {
-  const Problem problem = fixture::problem(Id::d2);
+  const Problem problem = with_rate_limit(Id::d2);
   const PreparedDocking prepared{problem};
   for (const lanes::Kernels& kernels : lanes::available()) {
     CandidateEvaluator plain{prepared, lanes::available().front()};
