@@ -7,6 +7,7 @@
 
 #include "waywright/planner/docking/pattern_search.hpp"
 #include "waywright/planner/docking/side_search.hpp"
+#include "waywright/proof/proof.hpp"
 
 namespace waywright {
 namespace {
@@ -71,6 +72,9 @@ PlanningFailure failure_of(const Problem& problem, const DockingTask& task, cons
   return failure;
 }
 
+/// The search allows for what is between its samples by estimates; what the proof does not confirm is not offered.
+bool stands(const Problem& problem, const SideOutcome& outcome) { return prove(problem, problem.whole_path(outcome.path)).holds(); }
+
 }  // namespace
 
 PatternDockingPlanner::PatternDockingPlanner(PatternDockingOptions options, std::shared_ptr<const Optimizer> optimizer,
@@ -97,8 +101,13 @@ PlanningResult PatternDockingPlanner::plan(const PreparedDocking& prepared, Budg
     harder.evaluations *= harder_times;
     outcomes = search_sides(prepared, harder, *optimizer_, seed_, fallback_.has_value(), budget);
   }
-  if (const SideOutcome* best = best_of(outcomes)) {
-    return Planned{best->path, explain(problem, options_, *best, outcomes, task.zones.front().of), alternatives_of(task, outcomes, best)};
+  while (const SideOutcome* best = best_of(outcomes)) {
+    if (stands(problem, *best)) {
+      return Planned{best->path, explain(problem, options_, *best, outcomes, task.zones.front().of), alternatives_of(task, outcomes, best)};
+    }
+    SideOutcome& refused = outcomes[static_cast<std::size_t>(best - outcomes.data())];
+    refused.feasible = false;
+    refused.sentence += " The proof refuses it.";
   }
   PlanningFailure failure = failure_of(problem, task, outcomes, budget);
   if (!fallback_ || budget.exhausted()) return tl::unexpected{std::move(failure)};
