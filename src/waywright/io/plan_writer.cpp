@@ -137,6 +137,9 @@ std::string plan_json(const Plan& plan) {
   }
   j["explanation"] = plan.explanation;
   j["meta"] = {{"alternatives", alternatives_to_json(plan.alternatives)}};
+  if (const auto& o = plan.optimality) {
+    j["meta"]["optimality"] = {{"cost", o->cost}, {"lower_bound", o->lower_bound}, {"gap", o->gap()}, {"boxes", o->boxes}};
+  }
   return pretty(j);
 }
 

@@ -32,6 +32,14 @@ struct Alternative {
   Ring zone;                   ///< transition zone, for the picture; may be empty
 };
 
+/// What branch and bound showed of the planner's objective.
+struct Optimality {
+  double cost = 0.0;         ///< of the answer
+  double lower_bound = 0.0;  ///< nothing of the kind that was searched costs less
+  std::int64_t boxes = 0;    ///< parts of the space that were bounded
+  double gap() const { return lower_bound > 0.0 ? cost / lower_bound - 1.0 : 0.0; }  ///< the answer is at most this share above the optimum
+};
+
 struct Plan {
   std::string version;
   Status status = Status::no_path;
@@ -49,6 +57,7 @@ struct Plan {
   Certificate certificate;
   std::vector<std::string> explanation;
   std::vector<Alternative> alternatives;
+  std::optional<Optimality> optimality;
 };
 
 }  // namespace waywright

@@ -22,6 +22,7 @@ struct Planned {
   Path path;
   std::vector<std::string> explanation;   ///< why this one, against which alternatives
   std::vector<Alternative> alternatives;  ///< what was tried
+  std::optional<Optimality> optimality{};
 };
 
 /// A failure keeps what was tried, so that the report can show it.

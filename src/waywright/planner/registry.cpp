@@ -57,6 +57,9 @@ PlannerDescription pattern_docking_description() {
        .unit = "m", .low = 0, .high = 20},
       {.name = "dock_straight", .default_value = 0.3, .summary = "straight run into the docked pose", .unit = "m", .low = 0,
        .high = 20},
+      {.name = "gap", .default_value = 0.0,
+       .summary = "branch and bound until the answer is shown to cost at most this share more than the optimum, within a few seconds; 0: off",
+       .low = 0, .high = 1},
       {.name = "fallback", .default_value = true, .summary = "ask ompl_rrt_connect where no pattern fits"},
   };
   parameters.insert(parameters.end(), more.begin(), more.end());
@@ -71,6 +74,7 @@ PlannerDescription pattern_docking_description() {
             options.weights = {number(p, "curvature_weight"), number(p, "length_weight")};
             options.objective = objective_of(word(p, "objective"));
             options.sides = side_choice(word(p, "sides"));
+            options.gap = number(p, "gap");
             std::optional<AnyPlanner> fallback;
             if (std::get<bool>(p.at("fallback"))) fallback = RrtConnectPlanner{RrtConnectOptions{.goal_straight = options.leads.dock}, seed};
             return PatternDockingPlanner{options, optimizer_of(word(p, "optimizer")), seed, std::move(fallback)};

@@ -71,6 +71,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
     plan = judge(problem, problem.whole_path(std::move(result->path)));
     plan.explanation = std::move(result->explanation);
     plan.alternatives = std::move(result->alternatives);
+    plan.optimality = result->optimality;
     explain_mission(problem, plan, plan.explanation);
     plan.explanation.push_back(plan.status == Status::solved ? proof_sentence(problem, plan)
                                                              : "This path is not proven: " + plan.reason + ".");

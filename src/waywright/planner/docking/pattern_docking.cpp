@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "waywright/planner/docking/optimality.hpp"
 #include "waywright/planner/docking/pattern_search.hpp"
 #include "waywright/planner/docking/side_search.hpp"
 #include "waywright/proof/proof.hpp"
@@ -72,6 +73,12 @@ PlanningFailure failure_of(const Problem& problem, const DockingTask& task, cons
   return failure;
 }
 
+std::string optimality_sentence(const Optimality& o) {
+  return fmt::format("Branch and bound over {} boxes of transition points and headings: no docking pattern of this form on the sides searched costs less than "
+                     "{:.4f}, so this one is at most {:.1f} % above the optimum.",
+                     o.boxes, o.lower_bound, 100.0 * o.gap());
+}
+
 /// The search allows for what is between its samples by estimates; what the proof does not confirm is not offered.
 bool stands(const Problem& problem, const SideOutcome& outcome) { return prove(problem, problem.whole_path(outcome.path)).holds(); }
 
@@ -103,7 +110,12 @@ PlanningResult PatternDockingPlanner::plan(const PreparedDocking& prepared, Budg
   }
   while (const SideOutcome* best = best_of(outcomes)) {
     if (stands(problem, *best)) {
-      return Planned{best->path, explain(problem, options_, *best, outcomes, task.zones.front().of), alternatives_of(task, outcomes, best)};
+      Planned planned{best->path, explain(problem, options_, *best, outcomes, task.zones.front().of), alternatives_of(task, outcomes, best)};
+      if (options_.gap > 0.0) {
+        planned.optimality = bound_optimum(prepared, options_, reference_measures(prepared, options_.leads), best->cost, budget);
+        planned.explanation.push_back(optimality_sentence(*planned.optimality));
+      }
+      return planned;
     }
     SideOutcome& refused = outcomes[static_cast<std::size_t>(best - outcomes.data())];
     refused.feasible = false;

@@ -26,6 +26,7 @@ struct PatternDockingOptions {
   DockingWeights weights;
   DockingObjective objective = DockingObjective::normalised;
   SideChoice sides = SideChoice::both;
+  double gap = 0.0;                 ///< > 0: branch and bound until the answer is shown to cost at most this share more than the optimum
 };
 
 /// What the search on one side of the shelf came to.

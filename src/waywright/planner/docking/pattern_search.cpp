@@ -22,31 +22,6 @@ constexpr double first_share = 0.3;        // of the evaluations of a side, befo
 constexpr double by_far = 1.1;             // a side that costs more than this times the other one's best is given up
 constexpr double infeasible_costs = 100.0;  // graded costs from here on stand for what is not feasible
 
-double objective_value(const PatternDockingOptions& options, const PathMeasures& path, const PathMeasures& reference) {
-  return options.objective == DockingObjective::normalised
-             ? normalised_cost(path, reference, options.weights)
-             : exponential_cost(path, reference, options.weights);
-}
-
-/// One reference for both sides, so that their costs can be compared: the shorter of the two reference paths, its change of
-/// curvature no more than three bends at the curvature limit.
-PathMeasures reference_measures(const Problem& problem, const DockingTask& task, const PatternLeads& leads,
-                                CandidateEvaluator& evaluator) {
-  const double limit = problem.vehicle().max_curvature();
-  const double scale = std::isfinite(limit) && limit > 0.0 ? published_curvature / limit : 1.0;
-  PathMeasures reference;
-  for (const Zone& zone : task.zones) {
-    const double sign = zone.side == Side::left ? 1.0 : -1.0;
-    const Vec2 point{scale * published_reference.x, sign * scale * published_reference.y};
-    const Pose transition = task.frame.to_world(make_pose(point, transition_heading(zone.side, task.dock.heading)));
-    const CandidateScore score =
-        evaluator.measure(docking_pattern(problem.start(), problem.goal(), transition, leads));
-    if (reference.length == 0.0 || score.measures.length < reference.length) reference = score.measures;
-  }
-  if (std::isfinite(limit)) reference.curvature_change = std::min(reference.curvature_change, 6.0 * limit);
-  return reference;
-}
-
 std::string infeasible_sentence(const Problem& problem, const SideOutcome& outcome, const CandidateScore& score,
                                 std::int64_t evaluations) {
   std::string text = fmt::format("On the {} side no pattern fits: of {} candidates the best", to_string(outcome.side),
@@ -147,11 +122,36 @@ SideOutcome SideSearch::outcome(bool given_up, const Budget& budget) const {
 
 }  // namespace
 
+double objective_value(const PatternDockingOptions& options, const PathMeasures& path, const PathMeasures& reference) {
+  return options.objective == DockingObjective::normalised
+             ? normalised_cost(path, reference, options.weights)
+             : exponential_cost(path, reference, options.weights);
+}
+
+PathMeasures reference_measures(const PreparedDocking& prepared, const PatternLeads& leads) {
+  const Problem& problem = prepared.problem();
+  const DockingTask& task = prepared.task();
+  CandidateEvaluator evaluator{prepared};
+  const double limit = problem.vehicle().max_curvature();
+  const double scale = std::isfinite(limit) && limit > 0.0 ? published_curvature / limit : 1.0;
+  PathMeasures reference;
+  for (const Zone& zone : task.zones) {
+    const double sign = zone.side == Side::left ? 1.0 : -1.0;
+    const Vec2 point{scale * published_reference.x, sign * scale * published_reference.y};
+    const Pose transition = task.frame.to_world(make_pose(point, transition_heading(zone.side, task.dock.heading)));
+    const CandidateScore score =
+        evaluator.measure(docking_pattern(problem.start(), problem.goal(), transition, leads));
+    if (reference.length == 0.0 || score.measures.length < reference.length) reference = score.measures;
+  }
+  if (std::isfinite(limit)) reference.curvature_change = std::min(reference.curvature_change, 6.0 * limit);
+  return reference;
+}
+
 std::vector<SideOutcome> search_sides(const PreparedDocking& prepared, const PatternDockingOptions& options, const Optimizer& optimizer,
                                       std::uint64_t seed, bool second_choice, Budget& budget) {
   const DockingTask& task = prepared.task();
   CandidateEvaluator evaluator{prepared};
-  const PathMeasures reference = reference_measures(prepared.problem(), task, options.leads, evaluator);
+  const PathMeasures reference = reference_measures(prepared, options.leads);
   SideShares shares{task.zones, options.sides, options.evaluations, budget, second_choice};
   std::vector<std::unique_ptr<SideSearch>> searches;  // nullptr: a side that is not searched
   for (const Zone& zone : task.zones) {

@@ -13,4 +13,11 @@ namespace waywright {
 std::vector<SideOutcome> search_sides(const PreparedDocking& prepared, const PatternDockingOptions& options, const Optimizer& optimizer,
                                       std::uint64_t seed, bool second_choice, Budget& budget);
 
+/// What costs are relative to. One reference for both sides, so that their costs can be compared: the shorter of the two reference paths, its
+/// change of curvature no more than three bends at the curvature limit.
+PathMeasures reference_measures(const PreparedDocking& prepared, const PatternLeads& leads);
+
+/// Less is better; grows with length and with change of curvature.
+double objective_value(const PatternDockingOptions& options, const PathMeasures& path, const PathMeasures& reference);
+
 }  // namespace waywright
