@@ -6,6 +6,7 @@
 #include "waywright/curve/arc.hpp"
 #include "waywright/curve/bezier.hpp"
 #include "waywright/path/path.hpp"
+#include "waywright/path/pose_motion.hpp"
 
 namespace waywright {
 namespace {
@@ -130,7 +131,9 @@ class Sampler {
     }
   }
 
+  /// Position and heading are interpolated, which is the motion itself; curvature and its rate are estimates (pose_motion.hpp).
   void follow(const PoseSequence& sequence) {
+    const std::vector<EstimatedCurvature> estimates = estimated_curvature(sequence, direction_);
     double s = begin();
     for (std::size_t i = 0; i + 1 < sequence.poses.size(); ++i) {
       const Pose& a = sequence.poses[i];
@@ -138,14 +141,15 @@ class Sampler {
       const Vec2 chord = b.position() - a.position();
       const double length = norm(chord);
       const double turn = shorter_turn(a.heading, b.heading);
-      const double curvature = length > 0.0 ? turn / length : 0.0;
       const double course = length > 0.0 ? angle_of(chord) : a.heading;
       const double angular = std::abs(turn) / density_.step;
       const auto steps = static_cast<std::size_t>(
           std::min(1e5, std::max(1.0, std::ceil(std::max(length / density_.step, angular)))));
       for (std::size_t k = i == 0 ? 0 : 1; k <= steps; ++k) {
         const double t = static_cast<double>(k) / static_cast<double>(steps);
-        push_pose(s + t * length, make_pose(a.position() + t * chord, wrap(a.heading + t * turn)), course, curvature, 0.0);
+        push_pose(s + t * length, make_pose(a.position() + t * chord, wrap(a.heading + t * turn)), course,
+                  estimates[i].curvature + t * (estimates[i + 1].curvature - estimates[i].curvature),
+                  estimates[i].rate + t * (estimates[i + 1].rate - estimates[i].rate));
       }
       s += length;
     }
