@@ -147,7 +147,8 @@ Metrics measure(const Path& path, const std::vector<Sample>& samples, const std:
     clearance_integral += 0.5 * step * (clearances[i - 1] + clearances[i]);
     metrics.collision_risk += 0.5 * step * (risk(clearances[i - 1]) + risk(clearances[i]));
     metrics.turning += std::abs(shorter_turn(before.heading, sample.heading));
-    if (!is_direction_change(before, sample))
+    const bool at_joint = step == 0.0 && before.piece != sample.piece;
+    if (!at_joint && !is_direction_change(before, sample))
       metrics.curvature_change += std::abs(sample.curvature - before.curvature);
   }
   if (driven > 0.0) {

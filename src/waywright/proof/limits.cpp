@@ -14,6 +14,7 @@ namespace {
 constexpr double relative_slack = 1e-6;      // of a limit
 constexpr std::size_t most_intervals = 400000;
 constexpr int deepest = 48;                  // halvings
+constexpr double most_turning = 1e3;         // rad, of one arc: its heading loses digits with every turn
 
 bool finite_curve(const Curve& curve) {
   return std::visit(
@@ -86,6 +87,11 @@ std::vector<Violation> check_form(const Path& path) {
     if (!finite_curve(piece.curve)) {
       violations.push_back({fmt::format("piece {} is empty or has a number that is not finite", i), std::nullopt});
       continue;
+    }
+    if (const auto* arc = std::get_if<Arc>(&piece.curve); arc != nullptr && std::abs(arc->curvature * arc->length) > most_turning) {
+      violations.push_back({fmt::format("piece {} is an arc that turns by {:.0f} rad; at most {:.0f} rad can be proven", i,
+                                        std::abs(arc->curvature * arc->length), most_turning),
+                            std::nullopt});
     }
     const bool turn = std::holds_alternative<Turn>(piece.curve);
     if (turn != (piece.direction == 0) || std::abs(piece.direction) > 1) {

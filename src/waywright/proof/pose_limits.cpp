@@ -116,21 +116,24 @@ std::vector<Violation> check_pose_sequences(const Vehicle& vehicle, const Path& 
   const double limit = vehicle.max_curvature();
   Rule slip{slip_share, slip_allowed};
   Rule bend{limit * (1.0 + estimate_slack), turn_allowed};
+  std::vector<Violation> retreats, rates;
   PoseMotion done;  // in the pieces before
   for (const Piece& piece : path.pieces) {
     const auto* sequence = std::get_if<PoseSequence>(&piece.curve);
     if (sequence == nullptr) continue;
     const std::vector<PoseMotion> motion = motion_along(*sequence, piece.direction);
+    double ahead = 0.0;  // as far as the piece has come: going back and forth gains nothing
     for (std::size_t i = 0; i < motion.size(); ++i) {
-      const double progress = done.progress + motion[i].progress;
+      ahead = std::max(ahead, motion[i].progress);
+      const double progress = done.progress + ahead;
       slip.add(progress, done.sideways + motion[i].sideways, sequence->poses[i]);
       if (std::isfinite(limit)) bend.add(progress, done.turned + motion[i].turned, sequence->poses[i]);
     }
-    if (auto violation = retreat(*sequence, motion, piece.direction)) violations.push_back(*violation);
+    if (auto violation = retreat(*sequence, motion, piece.direction)) retreats.push_back(*violation);
     if (vehicle.limits.curvature_rate) {
-      if (auto violation = rate_excess(*sequence, motion, *vehicle.limits.curvature_rate)) violations.push_back(*violation);
+      if (auto violation = rate_excess(*sequence, motion, *vehicle.limits.curvature_rate)) rates.push_back(*violation);
     }
-    done.progress += motion.back().progress;
+    done.progress += ahead;
     done.sideways += motion.back().sideways;
     done.turned += motion.back().turned;
   }
@@ -139,11 +142,14 @@ std::vector<Violation> check_pose_sequences(const Vehicle& vehicle, const Path& 
                                       stretch(found->from, found->to), std::abs(found->sum), found->progress),
                           found->from});
   }
+  // Who slides without getting ahead is told of the slide alone.
+  if (violations.empty()) violations = std::move(retreats);
   if (const auto found = bend.worst()) {
     violations.push_back({fmt::format("{} the poses turn by {:.4f} rad over {:.4f} m of progress, more than the curvature limit of {:.4f} 1/m allows",
                                       stretch(found->from, found->to), std::abs(found->sum), found->progress, limit),
                           found->from});
   }
+  violations.insert(violations.end(), rates.begin(), rates.end());
   return violations;
 }
 
