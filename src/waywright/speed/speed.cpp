@@ -275,6 +275,10 @@ double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle) {
   return samples.back().t;
 }
 
+double time_from_rest_to_rest(const Sample& before, const Sample& after, const Vehicle& vehicle) {
+  return rest_to_rest(make_step(before, after, vehicle), vehicle.limits);
+}
+
 bool must_stand(const Sample& before, const Sample& after, const Vehicle& vehicle) {
   if (is_direction_change(before, after) || before.direction == 0 || after.direction == 0) return true;
   if (turn_on_the_spot(before, after) != 0.0) return true;
