@@ -62,7 +62,7 @@ Plan judge(const Problem& problem, Path path) {
   plan.status = proof.holds() ? Status::solved : Status::unproven;
   plan.reason = joined(proof.violations);
   plan.path = std::move(path);
-  if (!check_form(plan.path).empty()) return plan;
+  if (!proof.measurable) return plan;
 
   const Vehicle& vehicle = problem.vehicle();
   plan.samples = sample(plan.path, problem.footprint().radius(), proof.certificate.tolerance);

@@ -6,6 +6,7 @@
 #include "waywright/curve/arc.hpp"
 #include "waywright/curve/bezier.hpp"
 #include "waywright/core/elementary.hpp"
+#include "waywright/path/pose_motion.hpp"
 
 namespace waywright {
 namespace {
@@ -18,6 +19,7 @@ class CurvatureAlong {
   /// Pieces [first, last) of one direction.
   CurvatureAlong(const Path& path, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
+      direction_ = path.pieces[i].direction;
       std::visit([this](const auto& curve) { add(curve); }, path.pieces[i].curve);
     }
   }
@@ -28,39 +30,38 @@ class CurvatureAlong {
     const auto after = std::upper_bound(parts_.begin(), parts_.end(), s,
                                         [](double value, const Part& part) { return value < part.begin; });
     const Part& part = after == parts_.begin() ? parts_.front() : *(after - 1);
-    if (part.spline == nullptr) return part.curvature;
+    if (part.spline == nullptr) return part.curvature + part.slope * (s - part.begin);
     return evaluate(*part.spline, spans_[part.table].parameter(s - part.begin)).curvature;
   }
 
  private:
   struct Part {
     double begin = 0.0;                  // m
-    double curvature = 0.0;              // where it is constant
-    const BezierSpan* spline = nullptr;  // where it is not
+    double curvature = 0.0;              // at its begin, where it is constant or linear
+    double slope = 0.0;                  // 1/m²
+    const BezierSpan* spline = nullptr;  // where it is neither
     std::size_t table = 0;
   };
 
-  void add_constant(double length, double curvature) {
+  void add_linear(double length, double from, double to) {
     if (!(length > 0.0)) return;
-    parts_.push_back({length_, curvature});
+    parts_.push_back({length_, from, (to - from) / length});
     length_ += length;
   }
-  void add(const Line& line) { add_constant(arc_length(line), 0.0); }
-  void add(const Arc& arc) { add_constant(arc.length, arc.curvature); }
+  void add(const Line& line) { add_linear(arc_length(line), 0.0, 0.0); }
+  void add(const Arc& arc) { add_linear(arc.length, arc.curvature, arc.curvature); }
   void add(const Turn&) {}
   void add(const PoseSequence& sequence) {
+    const std::vector<EstimatedCurvature> estimates = estimated_curvature(sequence, direction_);
     for (std::size_t i = 0; i + 1 < sequence.poses.size(); ++i) {
-      const Pose& a = sequence.poses[i];
-      const Pose& b = sequence.poses[i + 1];
-      const double chord = distance(a.position(), b.position());
-      add_constant(chord, chord > 0.0 ? shorter_turn(a.heading, b.heading) / chord : 0.0);
+      add_linear(distance(sequence.poses[i].position(), sequence.poses[i + 1].position()), estimates[i].curvature, estimates[i + 1].curvature);
     }
   }
   void add(const Spline& spline) {
     for (const BezierSpan& span : spline.spans) {
       ArcLengthTable table{span};
       if (!(table.length() > 0.0)) continue;
-      parts_.push_back({length_, 0.0, &span, spans_.size()});
+      parts_.push_back({length_, 0.0, 0.0, &span, spans_.size()});
       length_ += table.length();
       spans_.push_back(std::move(table));
     }
@@ -69,6 +70,7 @@ class CurvatureAlong {
   std::vector<Part> parts_;
   std::vector<ArcLengthTable> spans_;
   double length_ = 0.0;
+  int direction_ = 1;
 };
 
 /// Σ|Δκ|/Δs with n = max(1, round(L / 0.05 m)) equal steps along each stretch of one direction, ends
@@ -145,7 +147,8 @@ Metrics measure(const Path& path, const std::vector<Sample>& samples, const std:
     clearance_integral += 0.5 * step * (clearances[i - 1] + clearances[i]);
     metrics.collision_risk += 0.5 * step * (risk(clearances[i - 1]) + risk(clearances[i]));
     metrics.turning += std::abs(shorter_turn(before.heading, sample.heading));
-    if (!is_direction_change(before, sample))
+    const bool at_joint = step == 0.0 && before.piece != sample.piece;
+    if (!at_joint && !is_direction_change(before, sample))
       metrics.curvature_change += std::abs(sample.curvature - before.curvature);
   }
   if (driven > 0.0) {

@@ -14,7 +14,7 @@ struct Metrics {
   double mean_clearance = 0.0;            ///< m, clearance (capped at clearance_cap) averaged over arc length, trapezoidal
   double max_curvature = 0.0;             ///< 1/m, greatest |κ| over the samples
   double max_curvature_rate = 0.0;        ///< 1/m², greatest |dκ/ds| over the samples
-  double curvature_change = 0.0;          ///< 1/m, Σ|Δκ| along each stretch of one direction (joints included), not across its changes
+  double curvature_change = 0.0;          ///< 1/m, Σ|Δκ| inside each piece
   double curvature_change_printed = 0.0;  ///< 1/m², Σ|Δκ|/Δs with samples 0.05 m apart: the form printed in the publication
   double turning = 0.0;                   ///< rad, Σ|Δheading|
   int direction_changes = 0;              ///< changes of sign of the driving direction (turns on the spot do not count)

@@ -66,7 +66,7 @@ TEST(Metrics, QuarterCircle) {
   EXPECT_NEAR(m.turning, pi / 2, 1e-12);
 }
 
-TEST(Metrics, LineIntoArcCountsTheJumpOnce) {
+TEST(Metrics, LineIntoArcCountsTheJumpInThePrintedFormOnly) {
   // 2 m straight, 1 m left with radius 2 m, 2 m straight: κ goes 0 → 0.5 → 0.
   Path path = line_path({0, 0}, {2, 0});
   path.pieces.push_back({Arc{Pose{2, 0, 0}, 0.5, 1.0}, 1});
@@ -74,7 +74,7 @@ TEST(Metrics, LineIntoArcCountsTheJumpOnce) {
   path.pieces.push_back({Line{end.position(), end.position() + 2.0 * unit(end.heading)}, 1});
   const Metrics m = measured(path);
   EXPECT_NEAR(m.length, 5.0, 1e-12);
-  EXPECT_NEAR(m.curvature_change, 1.0, 1e-12);
+  EXPECT_NEAR(m.curvature_change, 0.0, 1e-12);  // inside each piece there is none
   EXPECT_NEAR(m.curvature_change_printed, 1.0 / 0.05, 1e-9);
   EXPECT_NEAR(m.turning, 0.5, 1e-12);
   EXPECT_EQ(m.direction_changes, 0);
@@ -88,8 +88,8 @@ TEST(Metrics, PosesOfTheSamePathMeasureTheSame) {
   const Metrics curves = measured(path);
   const Metrics outside = measured(Path{{{poses, 1}}});
   EXPECT_NEAR(outside.length, curves.length, 1e-4);
-  EXPECT_NEAR(curves.curvature_change, 0.9, 1e-12);
-  EXPECT_NEAR(outside.curvature_change, 0.9, 1e-4);
+  EXPECT_NEAR(curves.curvature_change, 0.0, 1e-12);
+  EXPECT_NEAR(outside.curvature_change, 0.9, 1e-4);  // of one piece
   EXPECT_NEAR(outside.turning, curves.turning, 1e-9);
   EXPECT_NEAR(outside.curvature_change_printed, curves.curvature_change_printed, 0.01);
 }
@@ -164,8 +164,8 @@ TEST(Metrics, NothingToMeasure) {
 }
 
 // The ten transition points of the reconstructed station, measured there 0.05 m apart: length to 0.1 %, total
-// variation to 1 %. Samples of ours lie closer in tight bends and see peaks that 0.05 m step over, by up to 2
-// % at a radius of half a metre.
+// variation to 1 %. Samples of ours lie closer in tight bends and on the knots, and see peaks that 0.05 m step
+// over, by up to 2.5 % at a radius of half a metre.
 TEST(Metrics, PublishedPatternPaths) {
   struct Row {
     double x, y, length, change, curvature;
@@ -182,7 +182,7 @@ TEST(Metrics, PublishedPatternPaths) {
       EXPECT_GT(m.curvature_change, 0.99 * row.change) << row.x << ", " << row.y;
       EXPECT_LT(m.curvature_change, 1.02 * row.change) << row.x << ", " << row.y;
       EXPECT_GT(m.max_curvature, 0.99 * row.curvature) << row.x << ", " << row.y;
-      EXPECT_LT(m.max_curvature, 1.02 * row.curvature) << row.x << ", " << row.y;
+      EXPECT_LT(m.max_curvature, 1.025 * row.curvature) << row.x << ", " << row.y;
       EXPECT_EQ(m.direction_changes, 1);
     }
   }

@@ -51,8 +51,15 @@ double end_curvature(const Piece& piece);
 /// The same places driven the other way, last to first; the vehicle faces as before. Law: reversed twice is the same up to rounding.
 Path reversed(const Path& path);
 
+/// So many samples a path may have. One that needs more is too long or too bent to be judged.
+inline constexpr std::size_t most_samples = 500'000;
+
+/// How many samples the path needs for what `sample` promises (an upper bound); +∞ where a curve has a cusp.
+double samples_needed(const Path& path, double radius, double tolerance, double step = 0.05);
+
 /// Samples at most `step` metres and `step` radians apart, and so dense that straight interpolation of the poses stays
-/// within `tolerance` of the true motion for every point at most `radius` from the vehicle's origin.
+/// within `tolerance` of the true motion for every point at most `radius` from the vehicle's origin, by bounds of curvature and its
+/// rate. Every joint of curves has a sample, two where curvature jumps. Where more than most_samples are needed, all steps are wider.
 /// First = start, last = end; t and speed are left at 0 (speed/ fills them).
 std::vector<Sample> sample(const Path& path, double radius, double tolerance, double step = 0.05);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "waywright/core/random.hpp"
@@ -59,6 +60,70 @@ TEST(Sampling, PosesStandTwiceWhereTheVehicleStands) {
   for (std::size_t i = 1; i < samples.size(); ++i) twice += samples[i].s == samples[i - 1].s ? 1 : 0;
   EXPECT_EQ(twice, 2);  // the change of direction and the jump of curvature; not the joint of the two lines
   EXPECT_NEAR(samples.back().s, 5.5, 1e-9);
+}
+
+/// Greatest distance of a footprint point between the straight interpolation of two samples and the true motion, looked up finely.
+double interpolation_error(const Spline& spline, const std::vector<Sample>& samples) {
+  double worst = 0.0;
+  double before = 0.0;
+  std::size_t i = 0;
+  for (const BezierSpan& span : spline.spans) {
+    const ArcLengthTable table{span};
+    for (int k = 0; k <= 4000; ++k) {
+      const double s = table.length() * k / 4000.0;
+      const CurvePoint truth = evaluate(span, table.parameter(s));
+      while (i + 2 < samples.size() && samples[i + 1].s < before + s) ++i;
+      const Sample& a = samples[i];
+      const Sample& b = samples[i + 1];
+      const double t = b.s > a.s ? std::clamp((before + s - a.s) / (b.s - a.s), 0.0, 1.0) : 0.0;
+      const Pose even = make_pose(a.pose().position() + t * (b.pose().position() - a.pose().position()), a.heading + t * shorter_turn(a.heading, b.heading));
+      for (const Vec2 body : {Vec2{radius, 0}, Vec2{0, radius}}) {
+        worst = std::max(worst, distance(Frame{even}.to_world(body), Frame{make_pose(truth.position, truth.course)}.to_world(body)));
+      }
+    }
+    before += table.length();
+  }
+  return worst;
+}
+
+TEST(Sampling, SpansThatMeetWithDifferentCurvatureShareTwoSamples) {
+  const double h = 4.0 / 3.0 * std::tan(0.25) * 2.0;
+  const Vec2 end{2.003 + 2.0 * std::sin(1.0), 2.0 - 2.0 * std::cos(1.0)};
+  const Spline spline{SplineKind::quintic, {straight_span({0, 0}, {2.003, 0}), {3, {Vec2{2.003, 0}, {2.003 + h, 0}, end - h * unit(1.0), end}}}};
+  const auto samples = sample(Path{{{spline, 1}}}, radius, tolerance);
+  expect_dense(samples);
+  int twice = 0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    if (samples[i].s != samples[i - 1].s) continue;
+    ++twice;
+    EXPECT_NEAR(samples[i].x, 2.003, 1e-12);
+    EXPECT_EQ(samples[i - 1].curvature, 0.0);
+    EXPECT_NEAR(samples[i].curvature, 0.5, 0.01);
+  }
+  EXPECT_EQ(twice, 1);
+  EXPECT_LE(interpolation_error(spline, samples), tolerance);
+}
+
+TEST(Sampling, TheToleranceHoldsAtPeaksOfAnyWidth) {
+  Random random{17};
+  for (int i = 0; i < 120; ++i) {
+    BezierSpan span{5, {}};
+    for (Vec2& p : span.control) p = {random.uniform(-2, 2), random.uniform(-2, 2)};
+    const Spline spline{SplineKind::quintic, {span}};
+    const Path path{{{spline, 1}}};
+    if (!(samples_needed(path, radius, tolerance) < 20'000.0)) continue;
+    const auto samples = sample(path, radius, tolerance);
+    EXPECT_LE(static_cast<double>(samples.size()), samples_needed(path, radius, tolerance));
+    EXPECT_LE(interpolation_error(spline, samples), tolerance) << i;
+  }
+}
+
+TEST(Sampling, ThereAreNeverMoreThanTheMost) {
+  PoseSequence far;
+  for (int i = 0; i < 300; ++i) far.poses.push_back({i % 2 == 0 ? 0.0 : 500'000.0, 0.0, 0.0});
+  const Path path{{{far, 1}, {Arc{{}, 1e6, 60.0}, 1}, {Turn{{}, 0.0, 1e5}, 0}}};
+  EXPECT_GT(samples_needed(path, radius, tolerance), 1e9);
+  EXPECT_LE(sample(path, radius, tolerance).size(), most_samples + 2 * 302);
 }
 
 TEST(Sampling, TurnsOnTheSpotKeepTheirPlace) {

@@ -5,29 +5,62 @@
 
 #include "waywright/curve/arc.hpp"
 #include "waywright/curve/bezier.hpp"
+#include "waywright/curve/span_bounds.hpp"
 #include "waywright/path/path.hpp"
+#include "waywright/path/pose_motion.hpp"
 
 namespace waywright {
 namespace {
 
-constexpr int probes_per_span = 48;        // places where curvature and its rate are looked up to choose the step
-constexpr std::size_t most_steps = 20000;  // of one piece: curves with cusps would ask for any number
-
 struct Density {
   double radius, tolerance, step;
+  double widening = 1.0;  // of all steps, where the path would need more samples than there may be
 };
+
+double as_count(double count) { return count > 1.0 ? std::ceil(count) : 1.0; }
 
 /// Equal steps of a stretch of `length` metres with the given greatest |κ| and |dκ/ds|. Between samples Δs apart the true
 /// position leaves the chord by at most κΔs²/8 and the heading leaves its interpolation by at most κ′Δs²/8.
-std::size_t steps_for(double length, double curvature, double rate, const Density& density) {
+double steps_of(double length, const CurvaturePeaks& peaks, const Density& density) {
   double step = density.step;
-  if (curvature > 0.0) step = std::min(step, density.step / curvature);
+  if (peaks.curvature > 0.0) step = std::min(step, density.step / peaks.curvature);
   // A footprint point at `radius` also follows the rotation, whose chord error is radius·(κΔs)²/8.
-  const double bend = curvature + density.radius * (rate + curvature * curvature);
+  const double bend = peaks.curvature + density.radius * (peaks.rate + peaks.curvature * peaks.curvature);
   if (bend > 0.0) step = std::min(step, std::sqrt(8.0 * 0.8 * density.tolerance / bend));
-  const double count = std::ceil(length / step);
-  if (!(count > 1.0)) return 1;
-  return count < static_cast<double>(most_steps) ? static_cast<std::size_t>(count) : most_steps;
+  return as_count(length / step);
+}
+
+double steps_of(const Turn& turn, const Density& density) {
+  const double by = density.radius > 0.0 ? std::min(density.step, std::sqrt(8.0 * 0.8 * density.tolerance / density.radius)) : density.step;
+  return as_count(std::abs(turn.angle) / by);
+}
+
+/// Straight interpolation is the motion itself.
+double steps_of(const Pose& a, const Pose& b, const Density& density) {
+  return as_count(std::max(distance(a.position(), b.position()), std::abs(shorter_turn(a.heading, b.heading))) / density.step);
+}
+
+double steps_of(const Piece& piece, const Density& density) {
+  return std::visit(
+      [&](const auto& curve) -> double {
+        using C = std::decay_t<decltype(curve)>;
+        if constexpr (std::is_same_v<C, Line>) {
+          return steps_of(arc_length(curve), {}, density);
+        } else if constexpr (std::is_same_v<C, Arc>) {
+          return steps_of(curve.length, {std::abs(curve.curvature), 0.0}, density);
+        } else if constexpr (std::is_same_v<C, Turn>) {
+          return steps_of(curve, density);
+        } else {
+          double sum = 0.0;
+          if constexpr (std::is_same_v<C, Spline>) {
+            for (const BezierSpan& span : curve.spans) sum += steps_of(ArcLengthTable{span}.length(), curvature_peaks(span), density);
+          } else {
+            for (std::size_t i = 0; i + 1 < curve.poses.size(); ++i) sum += steps_of(curve.poses[i], curve.poses[i + 1], density);
+          }
+          return sum;
+        }
+      },
+      piece.curve);
 }
 
 class Sampler {
@@ -44,6 +77,11 @@ class Sampler {
   std::vector<Sample> take() { return std::move(samples_); }
 
  private:
+  std::size_t count(double steps) const {
+    const double widened = std::ceil(steps / density_.widening);
+    return widened >= 1.0 ? static_cast<std::size_t>(std::min(widened, static_cast<double>(most_samples))) : 1;
+  }
+
   void push(double s, const CurvePoint& point) {
     push_pose(s, make_pose(point.position, direction_ < 0 ? wrap(point.course + pi) : point.course), point.course,
               point.curvature, point.curvature_rate);
@@ -74,7 +112,7 @@ class Sampler {
   void follow(const Line& line) {
     const double s0 = begin();
     const double total = arc_length(line);
-    const std::size_t steps = steps_for(total, 0.0, 0.0, density_);
+    const std::size_t steps = count(steps_of(total, {}, density_));
     for (std::size_t i = 0; i <= steps; ++i) {
       const double s = total * static_cast<double>(i) / static_cast<double>(steps);
       CurvePoint point = evaluate(line, s);
@@ -85,52 +123,40 @@ class Sampler {
 
   void follow(const Arc& arc) {
     const double s0 = begin();
-    const std::size_t steps = steps_for(arc.length, std::abs(arc.curvature), 0.0, density_);
+    const std::size_t steps = count(steps_of(arc.length, {std::abs(arc.curvature), 0.0}, density_));
     for (std::size_t i = 0; i <= steps; ++i) {
       const double s = arc.length * static_cast<double>(i) / static_cast<double>(steps);
       push(s0 + s, evaluate(arc, s));
     }
   }
 
+  /// Each span by its own bounds. Where two spans meet with different curvature, the place stands twice.
   void follow(const Spline& spline) {
-    double curvature = 0.0;
-    double rate = 0.0;
-    double total = 0.0;
-    std::vector<ArcLengthTable> tables;
     for (const BezierSpan& span : spline.spans) {
-      tables.emplace_back(span);
-      total += tables.back().length();
-      for (int i = 0; i <= probes_per_span; ++i) {
-        const CurvePoint p = evaluate(span, static_cast<double>(i) / probes_per_span);
-        curvature = std::max(curvature, std::abs(p.curvature));
-        rate = std::max(rate, std::abs(p.curvature_rate));
+      at_joint_ = !samples_.empty();
+      const ArcLengthTable table{span};
+      const double s0 = begin();
+      const double total = table.length();
+      const std::size_t steps = count(steps_of(total, curvature_peaks(span), density_));
+      for (std::size_t i = 0; i <= steps; ++i) {
+        const double s = total * static_cast<double>(i) / static_cast<double>(steps);
+        push(s0 + s, evaluate(span, i == steps ? 1.0 : table.parameter(s)));
       }
-    }
-    const double s0 = begin();
-    const std::size_t steps = steps_for(total, 1.05 * curvature, 1.2 * rate, density_);
-    std::size_t span = 0;
-    double before = 0.0;  // length of the spans already left behind
-    for (std::size_t i = 0; i <= steps; ++i) {
-      const double s = total * static_cast<double>(i) / static_cast<double>(steps);
-      while (span + 1 < tables.size() && s > before + tables[span].length()) before += tables[span++].length();
-      const double u = i == steps ? 1.0 : tables[span].parameter(s - before);
-      push(s0 + s, evaluate(spline.spans[span], u));
     }
   }
 
   void follow(const Turn& turn) {
     const double s0 = begin();
-    const double by = density_.radius > 0.0
-                          ? std::min(density_.step, std::sqrt(8.0 * 0.8 * density_.tolerance / density_.radius))
-                          : density_.step;
-    const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(std::abs(turn.angle) / by)));
+    const std::size_t steps = count(steps_of(turn, density_));
     for (std::size_t i = 0; i <= steps; ++i) {
       const double heading = turn.from + turn.angle * static_cast<double>(i) / static_cast<double>(steps);
       push_pose(s0, make_pose(turn.at, heading), heading, 0.0, 0.0);
     }
   }
 
+  /// Position and heading are interpolated, which is the motion itself; curvature and its rate are estimates (pose_motion.hpp).
   void follow(const PoseSequence& sequence) {
+    const std::vector<EstimatedCurvature> estimates = estimated_curvature(sequence, direction_);
     double s = begin();
     for (std::size_t i = 0; i + 1 < sequence.poses.size(); ++i) {
       const Pose& a = sequence.poses[i];
@@ -138,14 +164,13 @@ class Sampler {
       const Vec2 chord = b.position() - a.position();
       const double length = norm(chord);
       const double turn = shorter_turn(a.heading, b.heading);
-      const double curvature = length > 0.0 ? turn / length : 0.0;
       const double course = length > 0.0 ? angle_of(chord) : a.heading;
-      const double angular = std::abs(turn) / density_.step;
-      const auto steps = static_cast<std::size_t>(
-          std::min(1e5, std::max(1.0, std::ceil(std::max(length / density_.step, angular)))));
+      const std::size_t steps = count(steps_of(a, b, density_));
       for (std::size_t k = i == 0 ? 0 : 1; k <= steps; ++k) {
         const double t = static_cast<double>(k) / static_cast<double>(steps);
-        push_pose(s + t * length, make_pose(a.position() + t * chord, wrap(a.heading + t * turn)), course, curvature, 0.0);
+        push_pose(s + t * length, make_pose(a.position() + t * chord, wrap(a.heading + t * turn)), course,
+                  estimates[i].curvature + t * (estimates[i + 1].curvature - estimates[i].curvature),
+                  estimates[i].rate + t * (estimates[i + 1].rate - estimates[i].rate));
       }
       s += length;
     }
@@ -160,8 +185,16 @@ class Sampler {
 
 }  // namespace
 
+double samples_needed(const Path& path, double radius, double tolerance, double step) {
+  double needed = 1.0;
+  for (const Piece& piece : path.pieces) needed += 1.0 + steps_of(piece, {radius, tolerance, step});
+  return needed;
+}
+
 std::vector<Sample> sample(const Path& path, double radius, double tolerance, double step) {
-  Sampler sampler{{radius, tolerance, step}};
+  Density density{radius, tolerance, step};
+  density.widening = std::max(1.0, samples_needed(path, radius, tolerance, step) / static_cast<double>(most_samples));
+  Sampler sampler{density};
   for (std::size_t i = 0; i < path.pieces.size(); ++i) sampler.add(path.pieces[i], i);
   return sampler.take();
 }

@@ -13,17 +13,19 @@ constexpr std::int64_t most_queries = 4000000;  // bound on the work for one pat
 constexpr int deepest = 48;                    // halvings: only a cusp, where no bound on turning exists, gets there
 constexpr double least_tolerance = 1e-7;       // m
 
-/// Rounding of coordinates, distances and hulls: some ulps of the largest coordinate. m
-double rounding_slack(const MotionInterval& interval, double radius) {
-  const Pose& p = interval.begin();
-  const Pose& q = interval.end();
-  return 1e-11 + 1e-14 * (std::max({std::abs(p.x), std::abs(p.y), std::abs(q.x), std::abs(q.y)}) + radius);
-}
+constexpr double fine_tolerance = 5e-7;        // m, where the truth may just meet what is required
+constexpr double least_slack = 1e-11;          // m, rounding of hulls and turned corners
+constexpr double distance_rounding = 4e-15;    // of the coordinates: some units in the last place
 
 class Search {
  public:
-  Search(const World& world, const Footprint& footprint, double tolerance, std::size_t without)
-      : world_{world}, footprint_{footprint}, tolerance_{tolerance}, without_{without}, radius_{footprint.radius()} {
+  Search(const World& world, const Footprint& footprint, double tolerance, std::size_t without, double required)
+      : world_{world}, footprint_{footprint}, tolerance_{tolerance}, without_{without}, required_{required}, radius_{footprint.radius()} {
+    // Obstacles far away are long ones, too: a point of a line is rounded like its ends.
+    if (!world.empty()) {
+      const Box box = world.bounds();
+      extent_ = std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+    }
     if (footprint.is_disc()) {
       parts_ = {Ring{Vec2{}}};
       rotating_radius_ = 0.0;
@@ -50,9 +52,9 @@ class Search {
       }
       const MotionInterval interval = std::move(stack.back());
       stack.pop_back();
-      const double bound = lower_bound(interval);
-      if (bound >= best_.upper - effective_tolerance()) {
-        best_.lower = std::min(best_.lower, bound);
+      const Bound bound = lower_bound(interval);
+      if (is_enough(bound)) {
+        best_.lower = std::min(best_.lower, bound.clearance);
         continue;
       }
       auto [left, right] = interval.halve();
@@ -71,16 +73,36 @@ class Search {
   void look_at(const Pose& pose) {
     ++best_.queries;
     const Contact contact = world_.clearance(footprint_, pose, best_.upper, without_);
-    if (contact.clearance < best_.upper) {
+    if (contact.clearance < best_.upper) {  // never where nothing is within the cap
       best_.upper = contact.clearance;
       best_.tightest = pose;
       best_.contact = contact;
     }
   }
 
-  double lower_bound(const MotionInterval& interval) {
-    const double deviation = interval.deviation(rotating_radius_) + rounding_slack(interval, radius_);
-    if (!(deviation < cap)) return -1.0;
+  struct Bound {
+    double clearance;
+    double deviation;  // that was taken off
+  };
+
+  /// Within the tolerance of the least clearance found; and where that could pass, not short of what is required for want of sharpness.
+  bool is_enough(const Bound& bound) const {
+    if (bound.clearance < best_.upper - effective_tolerance()) return false;
+    if (bound.clearance >= required_ || best_.upper < required_ - fine_tolerance) return true;
+    return bound.clearance >= best_.upper - fine_tolerance && bound.deviation <= 0.5 * fine_tolerance;
+  }
+
+  Bound lower_bound(const MotionInterval& interval) {
+    double deviation = interval.deviation(rotating_radius_);
+    if (interval.is_translation()) {
+      const Pose& p = interval.begin();
+      const Pose& q = interval.end();
+      deviation = distance_rounding * (std::max({extent_, std::abs(p.x), std::abs(p.y), std::abs(q.x), std::abs(q.y)}) + radius_);
+      best_.rounding = std::max(best_.rounding, deviation);
+    } else {
+      deviation += least_slack + interval.rounding(radius_) + 1e-14 * extent_;
+    }
+    if (!(deviation < cap)) return {-1.0, deviation};
     const double enough = best_.upper + deviation;
     const Frame a{interval.begin()};
     const Frame b{interval.end()};
@@ -93,14 +115,16 @@ class Search {
       ++best_.queries;
       least = std::min(least, world_.clearance(hull_, grown_, enough, without_).clearance);
     }
-    return least - deviation;
+    return {least - deviation, deviation};
   }
 
   const World& world_;
   const Footprint& footprint_;
   double tolerance_;
   std::size_t without_;
+  double required_;
   double radius_;
+  double extent_ = 0.0;  // greatest coordinate of the world
   double rotating_radius_ = 0.0;
   double grown_ = 0.0;
   std::vector<Ring> parts_;
@@ -111,8 +135,9 @@ class Search {
 }  // namespace
 
 SweptClearance swept_clearance(const World& world, const Footprint& footprint,
-                               const std::vector<MotionInterval>& intervals, double tolerance, std::size_t without) {
-  return Search{world, footprint, tolerance, without}.run(intervals);
+                               const std::vector<MotionInterval>& intervals, double tolerance, std::size_t without,
+                               double required) {
+  return Search{world, footprint, tolerance, without, required}.run(intervals);
 }
 
 }  // namespace waywright

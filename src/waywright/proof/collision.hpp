@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "waywright/map/world.hpp"
@@ -12,9 +13,10 @@ namespace waywright {
 struct SweptClearance {
   double lower = 0.0;       ///< m, no pose of the motion comes nearer than this (nominal pose, rounding allowed for)
   double upper = 0.0;       ///< m, clearance of the tightest pose found
-  Pose tightest{};
+  std::optional<Pose> tightest;  ///< empty where nothing is within the cap
   Contact contact{};        ///< there
   double length = 0.0;      ///< m covered
+  double rounding = 0.0;    ///< m, of the distances themselves where the motion is straight without turning; `lower` allows for it
   bool complete = true;     ///< false where the bound on work ended it: `lower` says nothing
   std::int64_t queries = 0;
 };
@@ -24,9 +26,10 @@ struct SweptClearance {
 ///
 /// For each interval the convex parts of the footprint at its two ends span hulls; every pose between lies in these hulls grown
 /// by the interval's deviation. Where a hull comes too near, the interval is halved: hull and deviation shrink quadratically.
+/// A bound under `required` is sharpened to half a micrometre where the truth may meet what is required.
 /// `without`: a source of the world that is not looked at.
 SweptClearance swept_clearance(const World& world, const Footprint& footprint,
                                const std::vector<MotionInterval>& intervals, double tolerance,
-                               std::size_t without = World::nothing);
+                               std::size_t without = World::nothing, double required = 0.0);
 
 }  // namespace waywright

@@ -6,15 +6,15 @@
 #include <cmath>
 #include <type_traits>
 
+#include "waywright/proof/pose_limits.hpp"
+
 namespace waywright {
 namespace {
 
 constexpr double relative_slack = 1e-6;      // of a limit
 constexpr std::size_t most_intervals = 400000;
 constexpr int deepest = 48;                  // halvings
-constexpr double window = 0.25;              // m over which the curvature of a pose sequence is judged
-constexpr double slip_share = 0.02;          // sideways share of a step that rounding of outside poses may cause
-constexpr double slip_floor = 0.002;         // m
+constexpr double most_turning = 1e3;         // rad, of one arc: its heading loses digits with every turn
 
 bool finite_curve(const Curve& curve) {
   return std::visit(
@@ -77,53 +77,6 @@ std::optional<Violation> exceeds(const std::vector<MotionInterval>& intervals, d
   return worst;
 }
 
-void check_pose_sequence(const Vehicle& vehicle, const PoseSequence& sequence, int direction,
-                         std::vector<Violation>& violations) {
-  if (std::holds_alternative<Mecanum>(vehicle.drive)) return;
-  const double limit = vehicle.max_curvature();
-  double slipped = 0.0;
-  std::optional<Violation> slip, bend;
-  double greatest = 0.0;
-  std::size_t tail = 0;
-  double span = 0.0;
-  double turned = 0.0;
-  std::vector<double> lengths, turns;
-  for (std::size_t i = 0; i + 1 < sequence.poses.size(); ++i) {
-    const Pose& a = sequence.poses[i];
-    const Pose& b = sequence.poses[i + 1];
-    const Vec2 chord = b.position() - a.position();
-    const double length = norm(chord);
-    const double turn = shorter_turn(a.heading, b.heading);
-    const double middle = a.heading + 0.5 * turn;
-    const double along = static_cast<double>(direction) * dot(chord, unit(middle));
-    const double sideways = std::abs(cross(unit(middle), chord));
-    if ((sideways > std::max(slip_floor, slip_share * length) || along < -slip_floor) && sideways - along > slipped) {
-      slipped = sideways - along;
-      slip = Violation{fmt::format("between poses {} and {} near ({:.3f}, {:.3f}) the vehicle would move {:.4f} m sideways and "
-                                   "{:.4f} m along its direction of travel, which its drive cannot do",
-                                   i, i + 1, a.x, a.y, sideways, along),
-                       a};
-    }
-    lengths.push_back(length);
-    turns.push_back(turn);
-    span += length;
-    turned += turn;
-    while (span - lengths[tail] >= window) {
-      span -= lengths[tail];
-      turned -= turns[tail++];
-    }
-    if (span >= window && std::abs(turned) / span > std::max(greatest, limit * 1.01)) {
-      greatest = std::abs(turned) / span;
-      bend = Violation{fmt::format("over {:.2f} m near ({:.3f}, {:.3f}) the poses turn with a curvature of {:.4f} 1/m, over the "
-                                   "limit of {:.4f} 1/m",
-                                   span, a.x, a.y, greatest, limit),
-                       a};
-    }
-  }
-  if (slip) violations.push_back(*slip);
-  if (bend) violations.push_back(*bend);
-}
-
 }  // namespace
 
 std::vector<Violation> check_form(const Path& path) {
@@ -134,6 +87,11 @@ std::vector<Violation> check_form(const Path& path) {
     if (!finite_curve(piece.curve)) {
       violations.push_back({fmt::format("piece {} is empty or has a number that is not finite", i), std::nullopt});
       continue;
+    }
+    if (const auto* arc = std::get_if<Arc>(&piece.curve); arc != nullptr && std::abs(arc->curvature * arc->length) > most_turning) {
+      violations.push_back({fmt::format("piece {} is an arc that turns by {:.0f} rad; at most {:.0f} rad can be proven", i,
+                                        std::abs(arc->curvature * arc->length), most_turning),
+                            std::nullopt});
     }
     const bool turn = std::holds_alternative<Turn>(piece.curve);
     if (turn != (piece.direction == 0) || std::abs(piece.direction) > 1) {
@@ -169,20 +127,17 @@ std::vector<Violation> check_continuity(const Problem& problem, const Path& path
 }
 
 std::vector<Violation> check_limits(const Vehicle& vehicle, const Path& path) {
-  std::vector<Violation> violations;
+  std::vector<Violation> violations = check_pose_sequences(vehicle, path);
   std::vector<MotionInterval> smooth;
   bool turns = false;
   for (const Piece& piece : path.pieces) {
-    if (const auto* sequence = std::get_if<PoseSequence>(&piece.curve)) {
-      check_pose_sequence(vehicle, *sequence, piece.direction, violations);
-      continue;
-    }
+    if (std::holds_alternative<PoseSequence>(piece.curve)) continue;
     if (std::holds_alternative<Turn>(piece.curve)) {
       turns = true;
       continue;
     }
     std::vector<MotionInterval> intervals = MotionInterval::of(piece);
-    if (vehicle.limits.curvature_rate) {
+    if (vehicle.steering_takes_time()) {
       for (std::size_t i = 0; i + 1 < intervals.size(); ++i) {
         const double before = intervals[i].curvature_at_end();
         const double after = intervals[i + 1].curvature_at_begin();

@@ -1,5 +1,6 @@
 #include "waywright/proof/motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -16,15 +17,9 @@ Pose vehicle_pose(const CurvePoint& point, int direction) {
   return make_pose(point.position, direction < 0 ? point.course + pi : point.course);
 }
 
-/// Products of rounded coefficients: relative slack added to every polynomial bound.
-constexpr double rounding = 1e-12;
-
-Bernstein coordinate(const BezierSpan& span, double Vec2::* axis) {
-  Bernstein b;
-  b.degree = static_cast<std::size_t>(span.degree);
-  for (std::size_t i = 0; i <= b.degree; ++i) b.c[i] = span.control[i].*axis;
-  return b;
-}
+/// Relative slack of quotients of bounds.
+constexpr double quotient_rounding = 1e-12;
+constexpr double unit_roundoff = 0x1p-53;
 
 /// How far the span's control points are from those of the straight, evenly driven segment between its ends.
 double bow(const BezierSpan& span) {
@@ -50,7 +45,7 @@ MotionInterval MotionInterval::make(Polynomial polynomial, int direction) {
   // The continuous heading differs from the wrapped one by a multiple of 2π; intervals that turn by more than π at once have
   // a deviation so large that they are halved before it matters.
   interval.end_.heading = interval.begin_.heading + shorter_turn(interval.begin_.heading, interval.end_.heading);
-  interval.curve_ = std::move(polynomial);
+  interval.curve_ = std::make_shared<const Polynomial>(std::move(polynomial));
   return interval;
 }
 
@@ -96,15 +91,7 @@ std::vector<MotionInterval> MotionInterval::of(const Piece& piece) {
               straight(start_pose(line), end_pose(line));
               continue;
             }
-            const Bernstein dx = derivative(coordinate(span, &Vec2::x));
-            const Bernstein dy = derivative(coordinate(span, &Vec2::y));
-            Polynomial polynomial;
-            polynomial.span = span;
-            polynomial.turn = combine(1.0, dx * derivative(dy), -1.0, dy * derivative(dx));
-            polynomial.speed2 = combine(1.0, dx * dx, 1.0, dy * dy);
-            polynomial.rate = combine(1.0, derivative(polynomial.turn) * polynomial.speed2, -1.5,
-                                      polynomial.turn * derivative(polynomial.speed2));
-            intervals.push_back(make(std::move(polynomial), piece.direction));
+            intervals.push_back(make(Polynomial{span, SpanBounds{span}}, piece.direction));
           }
         }
       },
@@ -120,19 +107,19 @@ double MotionInterval::deviation(double radius) const {
   if (const auto* circular = std::get_if<Circular>(&curve_)) {
     return chord + std::abs(circular->arc.curvature) * circular->arc.length * circular->arc.length / 8.0;
   }
-  const auto& p = std::get<Polynomial>(curve_);
+  const Polynomial& p = *polynomial();
   // Position: difference from the even segment lies in the hull of the control points' differences.
   // Heading: θ′ = N/D lies in [m, M] on the interval (u from 0 to 1), so θ leaves its chord by at most (M − m)/4. The true
   // turn is also within (M − m)/2 of `turned`, which rules out a lost multiple of 2π when the bound is under π.
-  const double d_low = p.speed2.low();
+  const double d_low = p.bounds.speed2.low();
   if (!(d_low > 0.0)) return infinity;
-  const double d_high = p.speed2.high();
-  const double n_low = p.turn.low();
-  const double n_high = p.turn.high();
+  const double d_high = p.bounds.speed2.high();
+  const double n_low = p.bounds.turn.low();
+  const double n_high = p.bounds.turn.high();
   const double rate_low = n_low < 0.0 ? n_low / d_low : n_low / d_high;
   const double rate_high = n_high > 0.0 ? n_high / d_low : n_high / d_high;
   if (std::max(std::abs(rate_low), std::abs(rate_high)) > pi) return infinity;
-  const double heading = 0.25 * (rate_high - rate_low) * (1.0 + rounding);
+  const double heading = 0.25 * (rate_high - rate_low) * (1.0 + quotient_rounding);
   return chord + bow(p.span) + radius * heading;
 }
 
@@ -143,20 +130,10 @@ std::pair<MotionInterval, MotionInterval> MotionInterval::halve() const {
 }
 
 std::pair<MotionInterval, MotionInterval> MotionInterval::halves() const {
-  if (const auto* p = std::get_if<Polynomial>(&curve_)) {
-    // On half the parameter range: N scales with u′³ (1/8), D with 1/4, M with (1/8·1/2)(1/4) = 1/64.
+  if (const Polynomial* p = polynomial()) {
     const auto [left, right] = waywright::halve(p->span);
-    const auto scaled = [](const Bernstein& b, double k) {
-      auto [l, r] = waywright::halve(b);
-      for (double& c : l.c) c *= k;
-      for (double& c : r.c) c *= k;
-      return std::pair{l, r};
-    };
-    const auto [turn_left, turn_right] = scaled(p->turn, 0.125);
-    const auto [speed_left, speed_right] = scaled(p->speed2, 0.25);
-    const auto [rate_left, rate_right] = scaled(p->rate, 1.0 / 64.0);
-    return {make(Polynomial{left, turn_left, speed_left, rate_left}, direction_),
-            make(Polynomial{right, turn_right, speed_right, rate_right}, direction_)};
+    auto [left_bounds, right_bounds] = p->bounds.halves();
+    return {make(Polynomial{left, std::move(left_bounds)}, direction_), make(Polynomial{right, std::move(right_bounds)}, direction_)};
   }
   if (const auto* c = std::get_if<Circular>(&curve_)) {
     const double half = 0.5 * c->arc.length;
@@ -174,27 +151,42 @@ std::pair<MotionInterval, MotionInterval> MotionInterval::halves() const {
   return {left, right};
 }
 
+const MotionInterval::Polynomial* MotionInterval::polynomial() const {
+  const auto* p = std::get_if<std::shared_ptr<const Polynomial>>(&curve_);
+  return p == nullptr ? nullptr : p->get();
+}
+
+bool MotionInterval::is_translation() const { return std::holds_alternative<Straight>(curve_) && begin_.heading == end_.heading; }
+
+double MotionInterval::rounding(double radius) const {
+  double reach = std::max({std::abs(begin_.x), std::abs(begin_.y), std::abs(end_.x), std::abs(end_.y)});
+  double heading = unit_roundoff * std::max(std::abs(begin_.heading), std::abs(end_.heading));
+  if (const auto* circular = std::get_if<Circular>(&curve_)) reach += circular->arc.length;
+  if (const Polynomial* p = polynomial()) {
+    // Control points of the halves are rounded, and a tangent is their difference. Without a bound on speed there is none on turning.
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(p->span.degree); ++i) {
+      reach = std::max({reach, std::abs(p->span.control[i].x), std::abs(p->span.control[i].y)});
+    }
+    const double slowest = p->bounds.speed2.low();
+    heading += slowest > 0.0 ? 16.0 * unit_roundoff * reach / std::sqrt(slowest) : pi;
+  }
+  return 1e-14 * (reach + radius) + 4.0 * radius * heading;
+}
+
 double MotionInterval::curvature_bound() const {
   if (const auto* circular = std::get_if<Circular>(&curve_)) return std::abs(circular->arc.curvature);
-  if (const auto* p = std::get_if<Polynomial>(&curve_)) {
-    const double d = p->speed2.low();
-    if (!(d > 0.0)) return infinity;
-    return std::max(std::abs(p->turn.low()), std::abs(p->turn.high())) / (d * std::sqrt(d)) * (1.0 + rounding);
-  }
-  return 0.0;
+  const Polynomial* p = polynomial();
+  return p == nullptr ? 0.0 : p->bounds.curvature();
 }
 
 double MotionInterval::curvature_rate_bound() const {
-  const auto* p = std::get_if<Polynomial>(&curve_);
-  if (p == nullptr) return 0.0;
-  const double d = p->speed2.low();
-  if (!(d > 0.0)) return infinity;
-  return std::max(std::abs(p->rate.low()), std::abs(p->rate.high())) / (d * d * d) * (1.0 + rounding);
+  const Polynomial* p = polynomial();
+  return p == nullptr ? 0.0 : p->bounds.curvature_rate();
 }
 
 double MotionInterval::curvature_at(double u) const {
   if (const auto* circular = std::get_if<Circular>(&curve_)) return circular->arc.curvature;
-  if (const auto* p = std::get_if<Polynomial>(&curve_)) return evaluate(p->span, u).curvature;
+  if (const Polynomial* p = polynomial()) return evaluate(p->span, u).curvature;
   return 0.0;
 }
 
@@ -202,13 +194,13 @@ double MotionInterval::curvature_at_begin() const { return curvature_at(0.0); }
 double MotionInterval::curvature_at_end() const { return curvature_at(1.0); }
 
 double MotionInterval::curvature_rate_at_begin() const {
-  const auto* p = std::get_if<Polynomial>(&curve_);
+  const Polynomial* p = polynomial();
   return p == nullptr ? 0.0 : evaluate(p->span, 0.0).curvature_rate;
 }
 
 double MotionInterval::length() const {
   if (const auto* circular = std::get_if<Circular>(&curve_)) return circular->arc.length;
-  if (const auto* p = std::get_if<Polynomial>(&curve_)) return arc_length(p->span);
+  if (const Polynomial* p = polynomial()) return arc_length(p->span);
   return distance(begin_.position(), end_.position());
 }
 

@@ -2,12 +2,12 @@
 // interval: its two end poses, and how far the true motion can be from the straight interpolation between them.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <variant>
 #include <vector>
 
+#include "waywright/curve/span_bounds.hpp"
 #include "waywright/path/path.hpp"
-#include "waywright/proof/bernstein.hpp"
 
 namespace waywright {
 
@@ -24,6 +24,10 @@ class MotionInterval {
   const Pose& end() const { return end_; }
   /// m; +∞ where the course is not bounded on the interval (a cusp).
   double deviation(double radius) const;
+  /// m, by how much rounding can put a body point at most r from the origin elsewhere than the exact curve has it, at the ends.
+  double rounding(double radius) const;
+  /// Every body point moves straight, without turning: the hull of the ends is all that is swept.
+  bool is_translation() const;
   /// How often the curve was halved to get here.
   int depth() const { return depth_; }
   /// Halves that join.
@@ -43,9 +47,7 @@ class MotionInterval {
  private:
   struct Polynomial {  // Bézier span with what bounds it
     BezierSpan span;
-    Bernstein turn;     // N = x′y″ − y′x″
-    Bernstein speed2;   // D = x′² + y′²
-    Bernstein rate;     // M = N′D − 3/2·N·D′, so that dκ/ds = M/D³
+    SpanBounds bounds;
   };
   struct Circular {
     Arc arc;
@@ -61,7 +63,10 @@ class MotionInterval {
   Pose end_{};
   int direction_ = 1;
   int depth_ = 0;
-  std::variant<Straight, Circular, Polynomial> curve_;
+  const Polynomial* polynomial() const;
+
+  /// A polynomial is kept apart: it is large, and imported poses make very many straight intervals.
+  std::variant<Straight, Circular, std::shared_ptr<const Polynomial>> curve_;
 };
 
 }  // namespace waywright

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "waywright/proof/collision.hpp"
@@ -11,7 +12,6 @@
 namespace waywright {
 namespace {
 
-constexpr double fine_tolerance = 5e-7;       // m, second look where the first bound is just short; under the slack
 constexpr double comparison_slack = 1e-6;     // m, for a clearance that is met exactly
 
 void append(std::vector<Violation>& all, std::vector<Violation> more) {
@@ -24,23 +24,15 @@ struct Finding {
   const World* world = nullptr;
 };
 
-/// A bound, and a finer one where the first is just short of what is required.
-SweptClearance swept_against(double required, const World& world, const Footprint& footprint,
-                             const std::vector<MotionInterval>& motion, double tolerance, std::size_t without = World::nothing) {
-  SweptClearance swept = swept_clearance(world, footprint, motion, tolerance, without);
-  if (swept.complete && swept.lower < required && swept.upper >= required - comparison_slack) {
-    swept = swept_clearance(world, footprint, motion, fine_tolerance, without);
-  }
-  return swept;
-}
-
 /// The tighter of two, and the work of both.
 void merge(Finding& all, const SweptClearance& swept, const World& world) {
   const std::int64_t queries = all.swept.queries + swept.queries;
   const bool complete = all.swept.complete && swept.complete;
   const double lower = std::min(all.swept.lower, swept.lower);
   const double length = all.swept.length;
+  const double rounding = std::max(all.swept.rounding, swept.rounding);
   if (swept.upper < all.swept.upper) all = {swept, &world};
+  all.swept.rounding = rounding;
   all.swept.queries = queries;
   all.swept.complete = complete;
   all.swept.lower = lower;
@@ -49,8 +41,9 @@ void merge(Finding& all, const SweptClearance& swept, const World& world) {
 
 std::string place(const Finding& finding) {
   const SweptClearance& s = finding.swept;
+  if (!s.tightest) return "anything";
   return fmt::format("{} at ({:.3f}, {:.3f}), vehicle at ({:.3f}, {:.3f}, {:.4f} rad)", finding.world->source_name(s.contact.source),
-                     s.contact.point.x, s.contact.point.y, s.tightest.x, s.tightest.y, s.tightest.heading);
+                     s.contact.point.x, s.contact.point.y, s.tightest->x, s.tightest->y, s.tightest->heading);
 }
 
 std::optional<Violation> too_near(const Finding& finding, const char* what, double margin) {
@@ -74,6 +67,14 @@ Proof prove(const Problem& problem, const Path& path, const ProofOptions& option
   proof.certificate.tolerance = options.tolerance;
   proof.violations = check_form(path);
   if (!proof.violations.empty()) return proof;
+  if (const double needed = samples_needed(path, problem.footprint().radius(), options.tolerance); !(needed <= most_samples)) {
+    proof.violations.push_back({std::isfinite(needed) ? fmt::format("the path is too long or too bent: it needs {:.0f} samples, and at most {} are allowed",
+                                                                    needed, most_samples)
+                                                      : "the path has a cusp, where the vehicle's heading is not defined",
+                                std::nullopt});
+    return proof;
+  }
+  proof.measurable = true;
 
   append(proof.violations, check_continuity(problem, path, options));
   append(proof.violations, check_limits(problem.vehicle(), path));
@@ -94,20 +95,20 @@ Proof prove(const Problem& problem, const Path& path, const ProofOptions& option
 
   const double margin = problem.pose_error_margin();
   const double required = problem.required_clearance();
-  Finding finding{swept_against(required, problem.world(), problem.footprint(), open, options.tolerance), &problem.world()};
+  Finding finding{swept_clearance(problem.world(), problem.footprint(), open, options.tolerance, World::nothing, required), &problem.world()};
   Certificate& certificate = proof.certificate;
   certificate.checked_length = finding.swept.length;
   std::optional<Finding> forks;
   if (pocket_piece) {
     const PocketMotion& pocket = *problem.pocket();
     for (const MotionInterval& interval : in_shelf) certificate.checked_length += interval.length();
-    merge(finding, swept_against(required, problem.world(), problem.footprint(), in_shelf, options.tolerance, pocket.shelf_source),
+    merge(finding, swept_clearance(problem.world(), problem.footprint(), in_shelf, options.tolerance, pocket.shelf_source, required),
           problem.world());
     for (const Ring& ring : pocket.rest) {
-      merge(finding, swept_against(required, pocket.shelf, Footprint{ring, 0.0}, in_shelf, options.tolerance), pocket.shelf);
+      merge(finding, swept_clearance(pocket.shelf, Footprint{ring, 0.0}, in_shelf, options.tolerance, World::nothing, required), pocket.shelf);
     }
     for (const Ring& fork : pocket.forks) {
-      const SweptClearance swept = swept_against(margin, pocket.beside_pockets, Footprint{fork, 0.0}, in_shelf, options.tolerance);
+      const SweptClearance swept = swept_clearance(pocket.beside_pockets, Footprint{fork, 0.0}, in_shelf, options.tolerance, World::nothing, margin);
       if (forks) merge(*forks, swept, pocket.beside_pockets);
       else forks = Finding{swept, &pocket.beside_pockets};
     }
@@ -115,10 +116,17 @@ Proof prove(const Problem& problem, const Path& path, const ProofOptions& option
   }
 
   const SweptClearance& swept = finding.swept;
-  certificate.tightest = swept.tightest;
-  certificate.tightest_point = swept.contact.point;
-  certificate.tightest_obstacle = problem.world().empty() ? "" : finding.world->source_name(swept.contact.source);
+  if (swept.tightest) {
+    certificate.tightest = swept.tightest;
+    certificate.tightest_point = swept.contact.point;
+    certificate.tightest_obstacle = finding.world->source_name(swept.contact.source);
+  }
   certificate.clearance = std::max(0.0, swept.lower - margin);
+  // Distances are what they are up to rounding: one that differs from what is required by no more than that is the one required.
+  const double short_by = required - swept.lower;
+  if (short_by > 0.0 && short_by <= 2.0 * swept.rounding && swept.upper >= required - swept.rounding) {
+    certificate.clearance = problem.scenario().clearance;
+  }
   certificate.collision_free = swept.complete && swept.lower > margin;
   if (forks) certificate.collision_free &= forks->swept.complete && forks->swept.lower > margin;
 
@@ -127,7 +135,7 @@ Proof prove(const Problem& problem, const Path& path, const ProofOptions& option
   } else if (certificate.clearance < problem.scenario().clearance - comparison_slack) {
     proof.violations.push_back({fmt::format("the proven clearance is {:.4f} m, under the {:.4f} m asked for; tightest against {}",
                                             certificate.clearance, problem.scenario().clearance,
-                                            certificate.tightest_obstacle),
+                                            swept.tightest ? certificate.tightest_obstacle : "nothing"),
                                 swept.tightest});
   }
   if (forks) {

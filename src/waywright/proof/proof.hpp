@@ -37,6 +37,7 @@ struct Violation {
 
 struct Proof {
   Certificate certificate;
+  bool measurable = false;            ///< well formed and not too long: samples and metrics can be made of the path
   std::vector<Violation> violations;  ///< of ends, continuity, limits, clearance; empty: the plan stands
   bool holds() const { return violations.empty() && certificate.collision_free; }
 };

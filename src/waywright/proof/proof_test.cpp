@@ -220,6 +220,109 @@ TEST(Proof, ACuspIsRefusedInBoundedWork) {
   EXPECT_FALSE(proof.holds());
 }
 
+// The heading flips where a straight cubic turns back: rounding must not make a positive speed of the double root there.
+TEST(Proof, AStraightCubicThatTurnsBackIsRefusedWhateverItsNumbers) {
+  Random random{3};
+  int folded = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double first = random.uniform(1.0, 6.0);
+    const double second = random.uniform(-4.0, 1.0);
+    const double a = first, b = second - first, c = 3.0 - second;
+    if (!(b * b > 1.01 * a * c && b < 0.0 && c > 0.0)) continue;
+    ++folded;
+    const Pose placed{random.uniform(-3, 3), random.uniform(-3, 3), i % 2 == 0 ? 0.0 : random.uniform(-pi, pi)};
+    BezierSpan fold{3, {Vec2{0, 0}, {first, 0}, {second, 0}, {3, 0}}};
+    for (Vec2& p : fold.control) p = Frame{placed}.to_world(p);
+    const Path path{{{Spline{SplineKind::natural_cubic, {fold}}, 1}}};
+    EXPECT_FALSE(prove(problem_for({}, path, forklift().footprint), path).holds()) << first << ' ' << second;
+    Vehicle v = forklift();
+    EXPECT_FALSE(check_limits(v, path).empty()) << first << ' ' << second;
+    EXPECT_FALSE(swept_clearance(World{}, forklift().footprint, MotionInterval::of(path.pieces[0]), 5e-4).complete) << first << ' ' << second;
+  }
+  EXPECT_GT(folded, 100);
+}
+
+TEST(Proof, WhatNeedsTooManySamplesIsRefusedBeforeAnythingIsLookedAt) {
+  const auto judged = [](const Path& path) { return prove(problem_for({}, path, forklift().footprint), path); };
+  const Proof long_line = judged({{{Line{{0, 0}, {2000, 0}}, 1}}});
+  EXPECT_TRUE(long_line.holds());
+  EXPECT_TRUE(long_line.measurable);
+  Path endless;
+  for (int i = 0; i < 60; ++i) endless.pieces.push_back({i % 2 == 0 ? Line{{0, 0}, {1e7, 0}} : Line{{1e7, 0}, {0, 0}}, i % 2 == 0 ? 1 : -1});
+  const Proof refused = judged(endless);
+  EXPECT_FALSE(refused.measurable);
+  ASSERT_EQ(refused.violations.size(), 1U);
+  EXPECT_NE(refused.violations[0].sentence.find("too long"), std::string::npos) << refused.violations[0].sentence;
+  EXPECT_FALSE(judged({{{PoseSequence{{{0, 0, 0}, {1e6, 0, 0}, {0, 1e6, 0}}}, 1}}}).measurable);
+  // Its heading would be rounding: the arc goes round 10 000 000 times.
+  EXPECT_FALSE(judged({{{Arc{{}, 1e6, 63.0}, 1}}}).measurable);
+}
+
+TEST(Proof, NothingNearIsNoTightestPlace) {
+  Map map;
+  map.points = {{5.0, 90.0}};
+  const Path path{{{Line{{0, 0}, {10, 0}}, 1}}};
+  const Proof proof = prove(problem_for(map, path, forklift().footprint), path);
+  EXPECT_TRUE(proof.holds());
+  EXPECT_FALSE(proof.certificate.tightest.has_value());
+  EXPECT_TRUE(proof.certificate.tightest_obstacle.empty());
+  map.points = {{5.0, 9.0}};
+  EXPECT_TRUE(prove(problem_for(map, path, forklift().footprint), path).certificate.tightest.has_value());
+}
+
+// What a straight stretch meets exactly is certified, whatever is curved on the way there.
+TEST(Proof, AClearanceThatIsMetExactlyIsCertified) {
+  Random random{9};
+  for (int i = 0; i < 200; ++i) {
+    const Frame placed{Pose{random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-pi, pi)}};
+    const double gap = std::round(random.uniform(0.02, 0.5) * 1000.0) / 1000.0;
+    Map map;
+    map.obstacles = {transformed(rectangle({4.4 + gap, -1.0}, {6.0, 1.0}), placed)};
+    const Pose bend_start = placed.to_world(Pose{0.0, -2.0, 0.3});
+    const Vec2 middle = placed.to_world(Vec2{3.0, 0.0});
+    const BezierSpan bend = straight_ended_quintic(bend_start.position(), 3.0 * unit(bend_start.heading), middle, 3.0 * unit(placed.heading()));
+    const Path path{{{Spline{SplineKind::quintic, {bend}}, 1}, {Line{middle, placed.to_world(Vec2{4.0, 0.0})}, 1}}};
+    Scenario s = problem_for(map, path, forklift().footprint).scenario();
+    s.vehicle.limits.curvature.reset();
+    s.clearance = gap;
+    if (i % 2 == 0) s.pose_error.longitudinal = 0.5 * gap, s.clearance = 0.5 * gap;
+    const Proof proof = prove(Problem::prepare(s).value(), path);
+    ASSERT_TRUE(proof.certificate.collision_free);
+    EXPECT_GE(proof.certificate.clearance, s.clearance) << i;
+    EXPECT_LE(proof.certificate.clearance, s.clearance + 1e-12) << i;
+  }
+}
+
+// A line to the end of the allowed coordinates is rounded like its ends, not like the vehicle's place.
+TEST(Proof, RoundingOfFarObstaclesIsAllowedFor) {
+  Random random{4};
+  for (int i = 0; i < 200; ++i) {
+    // Exactly 0.5 m from a disc of 0.3 m at the origin: through (0.8 cos a, 0.8 sin a), at right angles to that.
+    const double a = random.uniform(-pi, pi);
+    const Vec2 near = 0.8 * unit(a);
+    Map map;
+    map.lines = {{near - 7e5 * unit(a + 0.5 * pi), near + 7e5 * unit(a + 0.5 * pi)}};
+    const Path path{{{Arc{{0.0, 0.0, a + 0.5 * pi}, 1.0, 0.01}, 1}}};
+    Footprint disc;
+    disc.disc = 0.3;
+    const Ring& line = map.lines[0];
+    const long double dx = static_cast<long double>(line[1].x) - line[0].x, dy = static_cast<long double>(line[1].y) - line[0].y;
+    const long double truth = std::abs(dx * line[0].y - dy * line[0].x) / std::sqrt(dx * dx + dy * dy) - 0.3L;
+    EXPECT_LE(static_cast<long double>(prove(problem_for(map, path, disc), path).certificate.clearance), truth) << i;
+  }
+}
+
+TEST(Limits, ACurvatureJumpInsideAPieceIsRefusedWhereSteeringTakesTime) {
+  const double h = 4.0 / 3.0 * std::tan(0.25) * 2.0;
+  const Vec2 end{2.0 + 2.0 * std::sin(1.0), 2.0 - 2.0 * std::cos(1.0)};
+  const BezierSpan bend{3, {Vec2{2, 0}, {2.0 + h, 0}, end - h * unit(1.0), end}};
+  const Path path{{{Spline{SplineKind::quintic, {straight_span({0, 0}, {2, 0}), bend}}, 1}}};
+  Vehicle v = forklift();
+  EXPECT_TRUE(check_limits(v, path).empty());
+  std::get<Tricycle>(v.drive).max_steering_rate = 0.1;
+  EXPECT_FALSE(check_limits(v, path).empty());
+}
+
 TEST(MotionInterval, EveryPoseIsWithinItsDeviation) {
   Random random{21};
   for (int i = 0; i < 2000; ++i) {

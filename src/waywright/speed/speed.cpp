@@ -37,12 +37,6 @@ struct Step {
   double rate = 0.0;       // greatest |κ′|, 1/m²
 };
 
-bool steering_limited(const Vehicle& vehicle) {
-  if (vehicle.limits.curvature_rate) return true;
-  const auto* tricycle = std::get_if<Tricycle>(&vehicle.drive);
-  return tricycle != nullptr && tricycle->max_steering_rate.has_value();
-}
-
 /// s that the steered wheel needs to turn while the vehicle stands between two samples at one place.
 double steering_pause(const Sample& before, const Sample& after, const Vehicle& vehicle) {
   const auto* tricycle = std::get_if<Tricycle>(&vehicle.drive);
@@ -54,15 +48,21 @@ double steering_pause(const Sample& before, const Sample& after, const Vehicle& 
   return std::isfinite(pause) ? pause : 0.0;
 }
 
+/// rad that the heading changes at one place; 0 where that is rounding or the vehicle moves.
+double turn_on_the_spot(const Sample& from, const Sample& to) {
+  if (to.s - from.s > same_place) return 0.0;
+  const double turn = shorter_turn(from.heading, to.heading);
+  const bool on_the_spot = from.direction == 0 && to.direction == 0;
+  return on_the_spot || std::abs(turn) > turning_threshold ? turn : 0.0;
+}
+
 Step make_step(const Sample& from, const Sample& to, const Vehicle& vehicle) {
   const Limits& limits = vehicle.limits;
   Step step;
   step.length = std::max(0.0, to.s - from.s);
   if (step.length <= same_place) {
     step.length = 0.0;
-    const double turn = shorter_turn(from.heading, to.heading);
-    const bool on_the_spot = from.direction == 0 && to.direction == 0;
-    if (on_the_spot || std::abs(turn) > turning_threshold) step.turn = turn;
+    step.turn = turn_on_the_spot(from, to);
     return step;
   }
   step.curvature = std::max(std::abs(from.curvature), std::abs(to.curvature));
@@ -110,17 +110,13 @@ class Profile {
     caps_.assign(n, infinity);
     rests_.assign(n, false);
     rests_.front() = rests_.back() = true;
-    const bool stops_at_jumps = steering_limited(vehicle) || limits_.angular_acceleration.has_value();
     for (std::size_t i = 0; i + 1 < n; ++i) {
       const Sample& a = samples[i];
       const Sample& b = samples[i + 1];
       steps_.push_back(make_step(a, b, vehicle));
       const Step& step = steps_.back();
       for (const std::size_t k : {i, i + 1}) caps_[k] = std::min(caps_[k], step.top);
-      if (is_direction_change(a, b) || a.direction == 0 || b.direction == 0 || step.turn != 0.0 ||
-          (stops_at_jumps && is_curvature_jump(a, b))) {
-        rests_[i] = rests_[i + 1] = true;
-      }
+      if (must_stand(a, b, vehicle)) rests_[i] = rests_[i + 1] = true;
     }
     for (std::size_t i = 0; i < n; ++i) {
       if (rests_[i] || caps_[i] < square(creeping)) caps_[i] = 0.0;
@@ -277,6 +273,17 @@ double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle) {
     ++i;
   }
   return samples.back().t;
+}
+
+double time_from_rest_to_rest(const Sample& before, const Sample& after, const Vehicle& vehicle) {
+  return rest_to_rest(make_step(before, after, vehicle), vehicle.limits);
+}
+
+bool must_stand(const Sample& before, const Sample& after, const Vehicle& vehicle) {
+  if (is_direction_change(before, after) || before.direction == 0 || after.direction == 0) return true;
+  if (turn_on_the_spot(before, after) != 0.0) return true;
+  const bool stops_at_jumps = vehicle.steering_takes_time() || vehicle.limits.angular_acceleration.has_value();
+  return stops_at_jumps && is_curvature_jump(before, after);
 }
 
 bool is_curvature_jump(const Sample& before, const Sample& after, double tolerance) {

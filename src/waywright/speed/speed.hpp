@@ -19,6 +19,13 @@ namespace waywright {
 /// @pre s never decreases; limits > 0
 double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle);
 
+/// s that a step takes at least which begins and ends at rest and moves between.
+double time_from_rest_to_rest(const Sample& before, const Sample& after, const Vehicle& vehicle);
+
+/// The vehicle must stand at both of these neighbours: the direction changes, it turns on the spot, or the curvature jumps and steering
+/// (or turning faster) takes time.
+bool must_stand(const Sample& before, const Sample& after, const Vehicle& vehicle);
+
 /// Samples i−1, i of two pieces at one place whose curvature differs by more than `tolerance` 1/m.
 bool is_curvature_jump(const Sample& before, const Sample& after, double tolerance = 1e-6);
 

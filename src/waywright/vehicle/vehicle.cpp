@@ -33,6 +33,12 @@ double Vehicle::max_curvature() const {
 
 bool Vehicle::can_turn_on_the_spot() const { return !std::holds_alternative<Tricycle>(drive); }
 
+bool Vehicle::steering_takes_time() const {
+  if (limits.curvature_rate) return true;
+  const auto* tricycle = std::get_if<Tricycle>(&drive);
+  return tricycle != nullptr && tricycle->max_steering_rate.has_value();
+}
+
 double Vehicle::steering_angle(double curvature) const {
   const auto* tricycle = std::get_if<Tricycle>(&drive);
   if (tricycle == nullptr) return 0.0;

@@ -71,6 +71,8 @@ struct Vehicle {
   /// The smaller of the limit given and tan(max_steering)/wheelbase; +∞ where neither binds. 1/m.
   double max_curvature() const;
   bool can_turn_on_the_spot() const;
+  /// Curvature rate or steering rate is limited: the curvature can jump only where the vehicle stands.
+  bool steering_takes_time() const;
   /// Steering angle of a tricycle at a path curvature; 0 for other drives.
   double steering_angle(double curvature) const;
 };
