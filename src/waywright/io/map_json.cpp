@@ -307,9 +307,22 @@ class MapReader {
     }
     if (node.failed()) return std::nullopt;
     auto found = align(from, to);
-    if (found) return *found;
+    if (found && !is_mirrored(node, from, to, *found)) return *found;
+    if (found) return std::nullopt;
     node.fail(found.error().problem, found.error().allowed);
     return std::nullopt;
+  }
+
+  /// Axes swapped or one turned over: no turn and shift can bring such points together, however small the error seems. Refused.
+  static bool is_mirrored(const Node& node, std::vector<Vec2> from, const std::vector<Vec2>& to, const Alignment& found) {
+    constexpr double clearly_off = 0.05;  // m
+    const auto worst = [](const Alignment& a) { return *std::max_element(a.residuals.begin(), a.residuals.end()); };
+    for (Vec2& p : from) p.y = -p.y;
+    const auto mirrored = align(from, to);
+    if (from.size() < 3 || !mirrored || worst(found) < clearly_off || worst(*mirrored) > 0.1 * worst(found)) return false;
+    node.fail(fmt::format("the pairs fit a mirrored map: they are up to {:.3f} m apart as they stand, {:.3f} m when the map is mirrored", worst(found), worst(*mirrored)),
+              "pairs that a turn and a shift bring together");
+    return true;
   }
 
   void check_limits() {
@@ -369,7 +382,7 @@ Json map_to_json(const Map& map) {
 
 std::string map_json(const Map& map) { return pretty(map_to_json(map)); }
 
-Parsed<Map> read_map(const fs::path& file) {
+Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align) {
   const auto refuse = [&](const char* problem, const char* allowed) {
     return tl::unexpected{InputError{file.string(), "", problem, allowed}};
   };
@@ -380,7 +393,8 @@ Parsed<Map> read_map(const fs::path& file) {
   }
   // A map object that names the file, or that lies in it: the same reading and checks as in a scenario.
   const bool yaml = extension == ".yaml" || extension == ".yml";
-  const Json named{{yaml ? "ros" : "polygons", file.filename().string()}};
+  Json named{{yaml ? "ros" : "polygons", file.filename().string()}};
+  for (const auto& [from, to] : align) named["align"].push_back(Json::array({to_json(from), to_json(to)}));
   ReadContext context{file.string(), {}};
   Json source;
   Map map = read_map_node(Node{named, "", context}, file.parent_path(), source);

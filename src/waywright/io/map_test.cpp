@@ -173,12 +173,21 @@ TEST(Align, RecoversRigidTransformsAndReportsResiduals) {
 }
 
 TEST_F(Files, AppearWholeOrNotAtAll) {
+  const auto no_folder = write_file(folder_ / "a" / "b.txt", "hello");
+  ASSERT_FALSE(no_folder);
+  EXPECT_NE(no_folder.error().message().find("there is no folder"), std::string::npos);
+  fs::create_directory(folder_ / "a");
   EXPECT_TRUE(write_file(folder_ / "a" / "b.txt", "hello"));
+  EXPECT_EQ(*read_head(folder_ / "a" / "b.txt", 3), "hel");
+  EXPECT_EQ(*read_head(folder_ / "a" / "b.txt", 30), "hello");
   EXPECT_EQ(*read_file(folder_ / "a" / "b.txt", 100), "hello");
   EXPECT_FALSE(read_file(folder_ / "a" / "b.txt", 3));
   EXPECT_FALSE(read_file(folder_ / "a", 100));
   EXPECT_FALSE(write_file(folder_ / "a" / "b.txt" / "c", "x"));
   EXPECT_FALSE(write_file(folder_ / "a", "x"));
+  // All of them or none.
+  EXPECT_FALSE(write_files({{folder_ / "a" / "b.txt", "other"}, {folder_ / "a" / "c.txt", "more"}, {folder_ / "a", "x"}}));
+  EXPECT_EQ(*read_file(folder_ / "a" / "b.txt", 100), "hello");
   std::size_t entries = 0;
   for ([[maybe_unused]] const auto& e : fs::recursive_directory_iterator{folder_}) ++entries;
   EXPECT_EQ(entries, 2U);  // the folder and the file: nothing half-written is left

@@ -7,28 +7,13 @@
 #include "waywright/judge/judge.hpp"
 #include "waywright/report/chart.hpp"
 #include "waywright/report/scene.hpp"
+#include "waywright/report/words.hpp"
 
 namespace waywright {
 namespace {
 
 constexpr double picture_width = 860.0;
 constexpr double chart_height = 170.0;
-
-std::string headline(const Plan& plan) {
-  switch (plan.status) {
-    case Status::solved:
-      return fmt::format("Solved and proven: at least {:.0f} mm of clearance", 1000.0 * plan.certificate.clearance);
-    case Status::unproven: return "A path, but not proven";
-    case Status::no_path: return "No path";
-    case Status::start_in_collision: return "The start is in collision";
-    case Status::goal_in_collision: return "The goal is in collision";
-    case Status::start_outside: return "The start is outside";
-    case Status::goal_outside: return "The goal is outside";
-    case Status::timed_out: return "Out of time, no path yet";
-    case Status::canceled: return "Canceled";
-  }
-  return to_string(plan.status);
-}
 
 struct Row {
   std::string name, value, limit;
@@ -230,28 +215,6 @@ std::string report_html(const Problem& problem, const Plan& plan) {
   out += fmt::format("<p class=\"soft\">waywright {}</p>\n<p class=\"soft\" id=\"timing\">load {:.1f} ms, prepare {:.1f} ms, plan {:.1f} ms, prove {:.1f} ms</p>\n</body>\n</html>\n",
                      escaped(plan.version), 1000.0 * plan.timing.load, 1000.0 * plan.timing.prepare, 1000.0 * plan.timing.plan,
                      1000.0 * plan.timing.prove);
-  return out;
-}
-
-std::string plan_text(const Plan& plan) {
-  std::string out;
-  const auto row = [&](const char* name, const std::string& value) { out += fmt::format("  {:<22} {}\n", name, value); };
-  out += fmt::format("{}: {}\n", plan.scenario.name.empty() ? "plan" : plan.scenario.name, to_string(plan.status));
-  if (!plan.reason.empty()) out += "  " + plan.reason + "\n";
-  row("planner", plan.planner);
-  if (!plan.samples.empty()) {
-    const Metrics& m = plan.metrics;
-    const double limit = plan.scenario.vehicle.max_curvature();
-    row("length", fmt::format("{:.3f} m", m.length));
-    row("proven clearance", plan.certificate.collision_free ? fmt::format("{:.4f} m", plan.certificate.clearance) : std::string{"none"});
-    row("greatest curvature", std::isfinite(limit) ? fmt::format("{:.4f} 1/m (limit {:.4f})", m.max_curvature, limit) : fmt::format("{:.4f} 1/m", m.max_curvature));
-    row("change of curvature", fmt::format("{:.4f} 1/m", m.curvature_change));
-    row("direction changes", fmt::format("{}", m.direction_changes));
-    row("travel time", fmt::format("{:.2f} s", m.travel_time));
-  }
-  row("effort", fmt::format("{} evaluations", plan.effort.evaluations));
-  row("time", fmt::format("plan {:.1f} ms, prove {:.1f} ms", 1000.0 * plan.timing.plan, 1000.0 * plan.timing.prove));
-  for (const std::string& sentence : plan.explanation) out += "  - " + sentence + "\n";
   return out;
 }
 
