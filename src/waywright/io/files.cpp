@@ -24,10 +24,10 @@ tl::unexpected<InputError> refuse(const fs::path& path, std::string problem, std
 Parsed<std::ifstream> open_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) return refuse(path, "there is no such file");
+  if (!fs::exists(status)) return refuse(path, "there is no such file", "a file that can be read");
   if (fs::is_directory(status)) return refuse(path, "it is a folder", "a file");
   std::ifstream in{path, std::ios::binary};
-  if (!in) return refuse(path, "the file cannot be read");
+  if (!in) return refuse(path, "the file cannot be read", "a file that can be read");
   return in;
 }
 
@@ -60,7 +60,7 @@ Parsed<std::string> read_file(const fs::path& path, std::uint64_t limit) {
     content.append(block.data(), static_cast<std::size_t>(in->gcount()));
     if (content.size() > limit) return refuse(path, "the file is too large", fmt::format("at most {} bytes", limit));
   }
-  if (in->bad()) return refuse(path, "the file cannot be read");
+  if (in->bad()) return refuse(path, "the file cannot be read", "a file that can be read");
   return content;
 }
 
@@ -69,7 +69,7 @@ Parsed<std::string> read_head(const fs::path& path, std::size_t count) {
   if (!in) return tl::unexpected{in.error()};
   std::string head(count, '\0');
   in->read(head.data(), static_cast<std::streamsize>(count));
-  if (in->bad()) return refuse(path, "the file cannot be read");
+  if (in->bad()) return refuse(path, "the file cannot be read", "a file that can be read");
   head.resize(static_cast<std::size_t>(in->gcount()));
   return head;
 }

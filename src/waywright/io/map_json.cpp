@@ -156,7 +156,7 @@ class MapReader {
     if (node_.failed() || !count_file()) return;
     source["file"] = name;
     if (node_.has("unknown_is_free")) source["unknown_is_free"] = unknown_is_free;
-    take_grid(load_ros_map(folder_ / name, unknown_is_free), source);
+    take_grid(node_.at("ros"), load_ros_map(folder_ / name, unknown_is_free), source);
   }
 
   void read_image(Json& source) {
@@ -169,11 +169,11 @@ class MapReader {
     source["resolution"] = resolution;
     source["origin"] = to_json(origin);
     source["occupied_below"] = below;
-    take_grid(load_image_map(folder_ / name, resolution, origin, below), source);
+    take_grid(node_.at("image"), load_image_map(folder_ / name, resolution, origin, below), source);
   }
 
-  void take_grid(Parsed<LoadedGrid> loaded, Json& source) {
-    if (!loaded) return take_over(node_, loaded.error());
+  void take_grid(const Node& name, Parsed<LoadedGrid> loaded, Json& source) {
+    if (!loaded) return fail_by_file(name, loaded.error());
     if (!count_cells(node_, loaded->grid.columns, loaded->grid.rows)) return;
     // The files' names without their folders: the record is the same wherever the scenario lies.
     for (const MapFile& file : loaded->files)
@@ -218,7 +218,7 @@ class MapReader {
     if (node_.failed() || !count_file()) return;
     const fs::path path = folder_ / name;
     auto text = read_file(path, largest_json);
-    if (!text) return take_over(node_, text.error());
+    if (!text) return fail_by_file(polygons, text.error());
     auto json = parse_json(*text, path.string());
     if (!json) return take_over(node_, json.error());
     ReadContext inner = node_.context();
