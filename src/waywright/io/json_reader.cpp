@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t longest_hint = 64;    // bytes of a field's name that a hint is looked for
 constexpr std::size_t longest_name = 4096;  // bytes of a file name
 constexpr double largest_angle = 1e6;       // rad; beyond it a wrapped angle has lost too many digits
+constexpr double any_number = 1e300;        // a limit beyond it is none
 constexpr double largest_whole = 9007199254740992.0;  // 2^53: whole numbers up to it are exact as doubles
 
 /// Edits (a letter more, less, another, or two swapped) from one word to another.
@@ -176,7 +177,7 @@ bool Node::is_array_of(std::size_t n, const char* what) const {
 
 double Node::number(double low, double high) const {
   if (!json_->is_number()) {
-    fail(fmt::format("it is {}", kind_of(*json_)), fmt::format("a number from {} to {}", low, high));
+    fail(fmt::format("it is {}", kind_of(*json_)), high < any_number ? fmt::format("a number from {} to {}", low, high) : "a number");
     return low;
   }
   const double value = json_->get<double>();

@@ -97,6 +97,10 @@ class MapReader {
 
  private:
   bool check_fields() {
+    if (!node_.is_object()) {
+      node_.fail(fmt::format("it is {}", kind_of(node_.json())), "an object with polygons, cells, ros or image");
+      return false;
+    }
     // Before the other fields: these kinds have fields of their own.
     for (const char* later : {"dxf", "movingai", "generate"}) {
       if (!node_.has(later)) continue;
@@ -395,11 +399,14 @@ Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec
   const bool yaml = extension == ".yaml" || extension == ".yml";
   Json named{{yaml ? "ros" : "polygons", file.filename().string()}};
   for (const auto& [from, to] : align) named["align"].push_back(Json::array({to_json(from), to_json(to)}));
-  ReadContext context{file.string(), {}};
+  ReadContext context{"", {}};
   Json source;
   Map map = read_map_node(Node{named, "", context}, file.parent_path(), source);
-  if (context.error) return tl::unexpected{*context.error};
-  return map;
+  if (!context.error) return map;
+  InputError error = *context.error;
+  if (error.field == "ros" || error.field == "polygons") error.field.clear();  // of the object made here, which names the file itself
+  else if (error.file.empty()) error.file = file.string();
+  return tl::unexpected{error};
 }
 
 }  // namespace waywright

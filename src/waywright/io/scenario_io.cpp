@@ -165,6 +165,7 @@ Json budget_to_json(const BudgetLimits& budget) {
 
 void check_format(const Node& node, const char* what) {
   const std::string wanted = fmt::format("waywright-{}/", what);
+  if (node.is_object() && !node.has("format")) return node.at("format").fail("", wanted + "1");
   const std::string format = node.at("format").text();
   if (node.failed() || format == wanted + "1") return;
   const std::string_view number = std::string_view{format}.substr(std::min(wanted.size(), format.size()));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "waywright/report/report.hpp"
+#include "waywright/report/spots.hpp"
 #include "waywright/report/words.hpp"
 
 namespace waywright {
@@ -25,7 +26,7 @@ std::string plan_text(const Plan& plan) {
     row("greatest curvature", std::isfinite(limit) ? fmt::format("{:.4f} 1/m (limit {:.4f})", m.max_curvature, limit) : fmt::format("{:.4f} 1/m", m.max_curvature));
     row("change of curvature", fmt::format("{:.4f} 1/m", m.curvature_change));
     row("direction changes", fmt::format("{}", m.direction_changes));
-    if (const std::size_t stops = steering_stops(plan).size(); stops > 0) row("stops to steer", fmt::format("{}", stops));
+    if (const std::size_t stops = steering_stops(plan).size(); stops > 0) row("stops at curv. jumps", fmt::format("{}", stops));
     row("travel time", fmt::format("{:.2f} s", m.travel_time));
   }
   row("effort", fmt::format("{} evaluations", plan.effort.evaluations));

@@ -12,9 +12,6 @@ namespace {
 
 constexpr double least_worry = 0.01;  // m of residual: the accuracy of points read off a map
 
-/// Tenths of a millimetre, rounded down: a bound must not grow by being printed.
-double millimetres_down(double metres) { return std::floor(10000.0 * metres + 1e-4) / 10.0; }
-
 /// Without a full stop at its end.
 std::string_view core_of(std::string_view sentence) {
   while (!sentence.empty() && (sentence.back() == '.' || sentence.back() == ' ')) sentence.remove_suffix(1);
@@ -24,6 +21,8 @@ std::string_view core_of(std::string_view sentence) {
 bool says(std::string_view text, std::string_view sentence) { return !core_of(sentence).empty() && text.find(core_of(sentence)) != std::string_view::npos; }
 
 }  // namespace
+
+double millimetres_down(double metres) { return std::floor(10000.0 * metres + 1e-4) / 10.0; }
 
 std::string headline(const Plan& plan) {
   switch (plan.status) {
@@ -111,17 +110,6 @@ std::vector<std::string> explanation_once(const Plan& plan, bool beside_alternat
     if (!told && !says(sentence, plan.reason)) kept.push_back(sentence);
   }
   return kept;
-}
-
-std::vector<std::size_t> steering_stops(const Plan& plan) {
-  std::vector<std::size_t> stops;
-  for (std::size_t i = 1; i + 1 < plan.samples.size(); ++i) {
-    const Sample& before = plan.samples[i - 1];
-    const Sample& here = plan.samples[i];
-    const bool stands = before.s == here.s && here.s > 0.0 && here.s < plan.samples.back().s && before.speed == 0.0 && here.speed == 0.0;
-    if (stands && before.direction == here.direction && here.direction != 0) stops.push_back(i);
-  }
-  return stops;
 }
 
 }  // namespace waywright

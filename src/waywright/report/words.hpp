@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "waywright/judge/plan.hpp"
-#include "waywright/scenario/problem.hpp"
+#include "waywright/scenario/scenario.hpp"
 
 namespace waywright {
 
@@ -33,7 +33,7 @@ std::string reason_once(const Plan& plan);
 /// The explanation without what the alternatives' outcomes or the reason say in the same words.
 std::vector<std::string> explanation_once(const Plan& plan, bool beside_alternatives);
 
-/// Places between changes of direction where the curvature jumps and the vehicle stands still to turn its steered wheel. Sample indices.
-std::vector<std::size_t> steering_stops(const Plan& plan);
+/// Tenths of a millimetre, rounded down: a bound does not grow by being printed.
+double millimetres_down(double metres);
 
 }  // namespace waywright
