@@ -193,8 +193,39 @@ TEST_F(CommandLine, CompareWritesTableAndPicture) {
   EXPECT_EQ(o.status, 0) << o.err;
   const std::string csv = slurp(folder_ / "c/compare.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+  // The deterministic planner's runs count as one; the other's are several.
+  EXPECT_NE(o.out.find("2/2 all alike"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("pattern_docking: its 2 runs are the same to the last bit"), std::string::npos);
+  EXPECT_NE(o.out.find("2/2 0.34–1.00"), std::string::npos);
+  EXPECT_NE(slurp(folder_ / "c/compare.svg").find(", the shortest of 2 runs"), std::string::npos);
   EXPECT_TRUE(fs::exists(folder_ / "c/compare.svg"));
   refused(run("compare " + example("dock_middle.json") + " --planners nobody"), {"nobody", "pattern_docking"});
+  refused(run("compare " + example("dock_middle.json") + " --planners ,"), {"--planners", "pattern_docking"});
+  refused(run("compare " + example("dock_middle.json") + " --planners pattern_docking,pattern_docking"), {"twice"});
+  refused(run("compare --suite movingai folder"), {"--suite", "not supported yet"});
+  refused(run("compare"), {"SCENARIO"});
+}
+
+TEST_F(CommandLine, CompareGivesAllOneBudget) {
+  const auto evaluations = [&](const std::string& more) {
+    EXPECT_EQ(run("compare " + example("dock_middle.json") + " --planners pattern_docking,pattern_docking_published " + more + " -o c").status, 0);
+    std::istringstream csv{slurp(folder_ / "c/compare.csv")};
+    std::vector<long> found;
+    std::string line;
+    std::getline(csv, line);
+    while (std::getline(csv, line)) {
+      const std::size_t at = line.find(",1,") + 3;  // after the seed
+      found.push_back(std::stol(line.substr(line.find(',', at) + 1)));
+    }
+    return found;
+  };
+  const auto common = evaluations("");
+  ASSERT_EQ(common.size(), 2U);
+  for (const long e : common) EXPECT_LE(e, 2000);
+  EXPECT_GT(common[1], 600);  // over its own 300 a side
+  for (const long e : evaluations("--evaluations 200")) EXPECT_LE(e, 200);
+  EXPECT_GT(evaluations("--set evaluations=1500")[1], 2000);  // named for them: 1500 a side
+  refused(run("compare " + example("dock_middle.json") + " --set evaluations=100 --evaluations 200"), {"--evaluations", "one of the two"});
 }
 
 TEST_F(CommandLine, CompareRunsAnOutsidePlanner) {
@@ -202,6 +233,17 @@ TEST_F(CommandLine, CompareRunsAnOutsidePlanner) {
   const Outcome o = run("compare " + example("dock_middle.json") + " --planners 'exec:cat >/dev/null; cat p.csv' -o c");
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_NE(slurp(folder_ / "c/compare.csv").find("unproven"), std::string::npos);
+  // Commas part planners, outside ones too; one in a command is written with a backslash.
+  const Outcome several = run("compare " + example("dock_middle.json") + " --planners 'exec:exit 3,pattern_docking,exec:cat >/dev/null; printf \"x\\,y\\,heading\\n9.5\\,7\\,0\\n9\\,7\\,0\\n\"' -o c");
+  EXPECT_EQ(several.status, 0) << several.err;
+  const std::string csv = slurp(folder_ / "c/compare.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4) << csv;
+  EXPECT_NE(csv.find("\"exec:exit 3\""), std::string::npos);
+  // What found nothing has no figures, and its reason stands below.
+  EXPECT_NE(several.out.find("exec:exit 3: 1 × no_path: the outside planner ended with status 3"), std::string::npos) << several.out;
+  const std::string row = several.out.substr(several.out.find("exec:exit 3"), several.out.find('\n', several.out.find("exec:exit 3")) - several.out.find("exec:exit 3"));
+  EXPECT_EQ(row.find("0.000"), std::string::npos) << row;
+  EXPECT_NE(row.find("–"), std::string::npos) << row;
   const Outcome failing = run("compare " + example("dock_middle.json") + " --planners 'exec:exit 3' -o c");
   EXPECT_NE(slurp(folder_ / "c/compare.csv").find("ended with status 3"), std::string::npos) << failing.err;
 }
@@ -255,7 +297,7 @@ TEST_F(CommandLine, BadScenariosAreOneSentenceThatNamesTheField) {
       {"gap", [](Json& j) { j["clearance"] = 0.2; }, {"station.shelf.gap", "clearance"}},
       {"small station", [](Json& j) { j["station"]["area"] = {{0, 6.7}, {12, 6.7}, {12, 7.3}, {0, 7.3}}; j["station"]["shelf"]["size"] = {1.2, 0.4}; }, {"station.area", "wide"}},
       {"two missions", [](Json& j) { j["goal"] = {1, 2, 3}; }, {"more than one mission"}},
-      {"no mission", [](Json& j) { j.erase("station"); }, {"mission is missing"}},
+      {"no mission", [](Json& j) { j.erase("station"); }, {"mission is missing", "goal, station)"}},
       {"waypoints", [](Json& j) { j["waypoints"] = {{1, 2}}; }, {"waypoints", "not supported yet"}},
       {"zones", [](Json& j) { j["zones"] = {{{"type", "forbidden"}}}; }, {"zones", "not supported yet"}},
       {"undock", [](Json& j) { j["station"]["manoeuvre"] = "undok"; }, {"undok", "undock"}},
@@ -267,7 +309,10 @@ TEST_F(CommandLine, BadScenariosAreOneSentenceThatNamesTheField) {
       {"seed", [](Json& j) { j["seed"] = 1.5; }, {"seed", "whole"}},
       {"map kinds", [](Json& j) { j["map"]["ros"] = "x.yaml"; }, {"kinds of map"}},
       {"map file", [](Json& j) { j["map"] = {{"ros", "x.yaml"}}; }, {"x.yaml", "no such file"}},
-      {"vehicle file", [](Json& j) { j["vehicle"] = "gone.json"; }, {"gone.json", "no such file"}},
+      {"vehicle file", [](Json& j) { j["vehicle"] = "gone.json"; }, {"s.json: vehicle: gone.json", "no such file"}},
+      {"overlay file", [](Json& j) { j["map"]["overlay"] = {{{"ros", "gone.yaml"}}}; }, {"s.json: map.overlay[0].ros: gone.yaml", "no such file"}},
+      {"legs", [](Json& j) { j.erase("station"); j["legs"] = Json::array(); }, {"legs", "not supported yet"}},
+      {"station smaller than shelf", [](Json& j) { j["station"]["area"] = {{0, 6}, {2, 6}, {2, 8}, {0, 8}}; }, {"station.shelf", "2.00 × 2.00 m"}},
       {"align", [](Json& j) { j["map"]["align"] = {{{0, 0}, {1, 1}}}; }, {"align", "two pairs"}},
   };
   for (const Case& c : cases) {
@@ -319,6 +364,99 @@ TEST_F(CommandLine, RepairsAreSaid) {
   const std::string plan = slurp(folder_ / "o/plan.json");
   EXPECT_NE(plan.find("station.area: 1 duplicate corner removed"), std::string::npos);
   EXPECT_NE(plan.find("clockwise order reversed"), std::string::npos);
+  EXPECT_NE(o.err.find("repaired: station.area: 1 duplicate corner removed"), std::string::npos) << o.err;
+  EXPECT_NE(slurp(folder_ / "o/report.html").find("Repaired on loading: station.area: 1 duplicate corner removed"), std::string::npos);
+}
+
+TEST_F(CommandLine, BadAlignmentsAreSaid) {
+  Json j = scenario();
+  j["map"]["align"] = {{{0, 0}, {0, 0}}, {{10, 0}, {10.2, 0}}};
+  const Outcome far = run("plan " + write(j) + " -o o");
+  EXPECT_NE(far.err.find("warning: The map is 0.100 m off at pair"), std::string::npos) << far.err;
+  EXPECT_NE(slurp(folder_ / "o/report.html").find("The map is 0.100 m off at pair"), std::string::npos);
+  j["map"]["align"] = {{{0, 0}, {0, 0}}, {{10, 0}, {10.02, 0}}};
+  const Outcome near = run("plan " + write(j) + " -o o");
+  EXPECT_EQ(near.status, 0) << near.err;
+  EXPECT_EQ(near.err, "");
+}
+
+TEST_F(CommandLine, MapAlignsByPairsOfPoints) {
+  const Outcome o = run("map " + example("warehouse.yaml") + " --align 0,0=10,5 --align 10,0=10,15.02 -o m.json");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_NE(o.out.find("residuals in m: 0.0100, 0.0100"), std::string::npos) << o.out;
+  EXPECT_NE(run("map m.json").out.find("residuals in m: 0.0100, 0.0100"), std::string::npos);
+  refused(run("map " + example("warehouse.yaml") + " --align 0,0=10"), {"--align", "0,0=10", "X,Y=X,Y"});
+  refused(run("map " + example("warehouse.yaml") + " --align 0,0=10,5"), {"align", "two pairs"});
+  refused(run("map gone.yaml"), {"waywright: gone.yaml: there is no such file"});
+}
+
+TEST_F(CommandLine, NamesDoNotCommandTheTerminal) {
+  Json j = scenario();
+  j["name"] = "red \x1b[31m \x7f \xc2\x9b" "2J é";
+  const Outcome o = run("plan " + write(j) + " -o o");
+  EXPECT_EQ(o.out.rfind("red ?[31m ? ?2J é: solved", 0), 0U) << o.out;
+  EXPECT_EQ(Json::parse(run("plan s.json --json").out)["scenario"]["name"], j["name"]);
+}
+
+TEST_F(CommandLine, AFullStandardOutputIsSaid) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  const std::string command = "cd '" + folder_.string() + "' && '" WAYWRIGHT_BINARY "' plan " + example("dock_middle.json") + " -o o >/dev/full 2>err.txt";
+  const int raw = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(raw), 1);
+  EXPECT_NE(slurp(folder_ / "err.txt").find("standard output cannot be written to"), std::string::npos);
+}
+
+TEST_F(CommandLine, FilesAppearAllOrNone) {
+  fs::create_directories(folder_ / "o" / "plan.svg");
+  const Outcome o = run("plan " + example("dock_middle.json") + " -o o");
+  EXPECT_EQ(o.status, 2);
+  EXPECT_NE(o.err.find("a folder has its name"), std::string::npos) << o.err;
+  EXPECT_FALSE(fs::exists(folder_ / "o" / "plan.json"));
+  std::size_t entries = 0;
+  for ([[maybe_unused]] const auto& e : fs::directory_iterator{folder_ / "o"}) ++entries;
+  EXPECT_EQ(entries, 1U);
+}
+
+TEST_F(CommandLine, GenerateIgnoresNothing) {
+  refused(run("generate warehouse --boxes 5 -o w.yaml"), {"--boxes", "station"});
+  const Outcome o = run("generate station -o new/s.json");
+  EXPECT_EQ(o.status, 0);
+  EXPECT_NE(o.err.find("the folder new was made"), std::string::npos) << o.err;
+}
+
+TEST_F(CommandLine, EachThingIsSaidOnce) {
+  const Outcome o = run("plan " + example("dock_impossible.json") + " -o o");
+  const std::string html = slurp(folder_ / "o/report.html");
+  for (const char* side : {"On the left side no pattern fits", "On the right side no pattern fits", "RRTConnect found no way"}) {
+    for (const std::string& text : {o.out, html}) {
+      const std::size_t first = text.find(side);
+      ASSERT_NE(first, std::string::npos) << side;
+      EXPECT_EQ(text.find(side, first + 1), std::string::npos) << side;
+    }
+  }
+}
+
+TEST_F(CommandLine, OnlyWhatIsProvenIsCalledProven) {
+  std::ofstream{folder_ / "p.csv"} << "x,y,heading\n9.5,7,0\n2,7,3.14159265\n";
+  const Outcome o = run("import p.csv --scenario " + example("dock_middle.json") + " -o o");
+  EXPECT_EQ(o.status, 1);
+  EXPECT_EQ(o.out.find("proven clearance"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("the path is not proven"), std::string::npos) << o.out;
+  EXPECT_EQ(slurp(folder_ / "o/report.html").find("Proven clearance"), std::string::npos);
+}
+
+TEST_F(CommandLine, EmptyPlacesHaveNoTightestSpot) {
+  Json j = scenario();
+  j["map"] = {{"polygons", Json::object()}};
+  j.erase("station");
+  j["goal"] = {2, 7, 0};
+  j["planner"] = {{"name", "ompl_rrt_connect"}};
+  const Outcome o = run("plan " + write(j) + " -o o");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_NE(o.out.find("proven clearance       more than"), std::string::npos) << o.out;
+  const std::string html = slurp(folder_ / "o/report.html");
+  EXPECT_NE(html.find("Solved and proven: more than"), std::string::npos);
+  EXPECT_EQ(html.find("tightest spot"), std::string::npos);
 }
 
 TEST_F(CommandLine, UnwritableFoldersAreRefusedBeforeTheWork) {
@@ -335,7 +473,7 @@ TEST_F(CommandLine, InterruptKeepsWhatIsFinishedAndEndsInOrder) {
   const std::string file = write(j);
   const pid_t child = ::fork();
   if (child == 0) {
-    if (::chdir(folder_.c_str()) != 0) ::_exit(9);
+    if (::chdir(folder_.c_str()) != 0 || ::freopen("err.txt", "w", stderr) == nullptr) ::_exit(9);
     ::execl(WAYWRIGHT_BINARY, "waywright", "plan", file.c_str(), "-o", "o", static_cast<char*>(nullptr));
     ::_exit(9);
   }
@@ -348,6 +486,8 @@ TEST_F(CommandLine, InterruptKeepsWhatIsFinishedAndEndsInOrder) {
   const Json plan = Json::parse(slurp(folder_ / "o/plan.json"));
   EXPECT_EQ(plan["status"], "canceled");
   EXPECT_EQ(plan["reproducible"], false);
+  EXPECT_NE(slurp(folder_ / "err.txt").find("interrupted"), std::string::npos);
+  EXPECT_NE(slurp(folder_ / "o/report.html").find("Interrupted, no path yet"), std::string::npos);
 }
 
 TEST_F(CommandLine, StationOnARealMap) {

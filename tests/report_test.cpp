@@ -1,13 +1,17 @@
 // What a person sees: complete, well-formed, and the same every time.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <regex>
 #include <stack>
 
 #include "waywright/io/scenario_io.hpp"
+#include "waywright/judge/import.hpp"
 #include "waywright/planner/registry.hpp"
 #include "waywright/report/report.hpp"
 #include "waywright/report/svg_writer.hpp"
+#include "waywright/report/words.hpp"
+#include "waywright/speed/speed.hpp"
 
 namespace waywright {
 namespace {
@@ -30,15 +34,17 @@ Reported report(const std::string& example, const std::string& name = "") {
   return r;
 }
 
-/// Every tag that opens closes, in order.
+/// Every tag that opens closes, in order. (By hand: std::regex recurses over the length of a tag, and paths are long.)
 void expect_balanced(const std::string& text) {
-  const std::regex tag{R"(<(/?)([a-zA-Z0-9]+)([^>]*)>)"};
   std::stack<std::string> open;
-  for (auto it = std::sregex_iterator(text.begin(), text.end(), tag); it != std::sregex_iterator(); ++it) {
-    const std::string name = (*it)[2];
-    const std::string rest = (*it)[3];
-    if (name == "meta" || (!rest.empty() && rest.back() == '/')) continue;
-    if ((*it)[1].length() == 0) {
+  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
+    const std::size_t end = text.find('>', at);
+    ASSERT_NE(end, std::string::npos);
+    const bool closes = text[at + 1] == '/';
+    const std::size_t begin = at + (closes ? 2 : 1);
+    const std::string name = text.substr(begin, text.find_first_of(" />", begin) - begin);
+    if (name == "meta" || name == "!doctype" || text[end - 1] == '/') continue;
+    if (!closes) {
       open.push(name);
       continue;
     }
@@ -54,12 +60,18 @@ void expect_clean(const std::string& text) {
   expect_balanced(text);
 }
 
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+  return count;
+}
+
 TEST(Report, IsCompleteForASolvedPlan) {
   const Reported r = report("dock_cluttered.json");
   expect_clean(r.svg);
   expect_clean(r.html);
   for (const char* part : {"Solved and proven", "Why this path", "Figures", "Along the path", "What was tried", "What is proven", "Scenario", "left side", "right side",
-                           "Curvature in 1/m", "Clearance in m", "Speed in m/s", "class=\"sweep\"", "class=\"zone\"", "class=\"tight\"", "class=\"shelf\""}) {
+                           "Curvature in 1/m", "Steering angle in degrees", "Clearance in m, cut off at 0.5 m", "Speed in m/s", "with pose error", "class=\"sweep\"", "class=\"zone\"", "class=\"tight\"", "class=\"shelf\""}) {
     EXPECT_NE(r.html.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(r.html.find("http://"), r.html.find("http://www.w3.org"));  // self-contained: nothing is fetched
@@ -72,8 +84,67 @@ TEST(Report, SaysWhatHappenedWhereThereIsNoPath) {
   expect_clean(r.svg);
   expect_clean(r.html);
   EXPECT_NE(r.html.find("No path"), std::string::npos);
-  EXPECT_NE(r.html.find("What happened"), std::string::npos);
+  EXPECT_NE(r.html.find("What was tried"), std::string::npos);
   EXPECT_NE(r.html.find("before it met obstacle"), std::string::npos);
+  EXPECT_NE(r.html.find("<p>No docking pattern fits.</p>"), std::string::npos);
+  // Both sides are seen to touch, and the legend says what is drawn.
+  EXPECT_GE(count_of(r.svg, "class=\"hit\""), 4U);
+  EXPECT_NE(r.svg.find("tried in vain"), std::string::npos);
+  EXPECT_EQ(r.svg.find("the best that was not taken"), std::string::npos);
+}
+
+TEST(Report, MarksWhereTheStartTouches) {
+  Scenario s = read_scenario(std::string{WAYWRIGHT_SOURCE_DIR} + "/examples/dock_middle.json").value();
+  s.start = {7.3, 9.9, 0.0};
+  const Problem problem = Problem::prepare(std::move(s)).value();
+  const Plan plan = *solve(problem);
+  ASSERT_EQ(plan.status, Status::start_in_collision);
+  const std::string html = report_html(problem, plan);
+  expect_clean(html);
+  EXPECT_EQ(count_of(html, "<polygon class=\"hit\""), 1U);
+  EXPECT_EQ(count_of(html, "<circle class=\"tightdot\""), 1U);
+  EXPECT_NE(html.find("0.0000 rad (0.00°)"), std::string::npos);
+}
+
+TEST(Report, DrawsWhereAnImportedPathTouches) {
+  const Problem problem = Problem::prepare(read_scenario(std::string{WAYWRIGHT_SOURCE_DIR} + "/examples/dock_middle.json").value()).value();
+  const Plan plan = judge_imported(problem, {{{PoseSequence{{{9.5, 7.0, 0.0}, {11.9, 7.0, 0.0}}}, 1}}});
+  ASSERT_EQ(plan.status, Status::unproven);
+  const std::string html = report_html(problem, plan);
+  EXPECT_EQ(count_of(html, "<polygon class=\"hit\""), 1U);
+  EXPECT_NE(html.find(">touches<"), std::string::npos);
+  EXPECT_EQ(html.find("0.0000 m</td>"), html.find("0.0000 m</td></tr>\n<tr><th scope=\"row\">Mean clearance"));
+  EXPECT_NE(html.find("<th scope=\"row\">Proven clearance</th><td>none"), std::string::npos);
+}
+
+TEST(Report, TellsTheTightestSpotBesideTheGapThatIsChosen) {
+  const Reported docked = report("dock_middle.json");
+  EXPECT_NE(docked.html.find("Tightest before the final straight"), std::string::npos);
+  EXPECT_NE(docked.svg.find("class=\"spot\""), std::string::npos);
+  EXPECT_NE(report("undock_loaded.json").html.find("Tightest after the first straight"), std::string::npos);
+  // Where a box is tighter than the gap, that is the spot, and there is no second one.
+  EXPECT_EQ(report("dock_cluttered.json").html.find("Tightest before the final straight"), std::string::npos);
+}
+
+TEST(Report, CountsAndMarksStopsWhereTheCurvatureJumps) {
+  const Reported r = report("goal_pose.json");
+  expect_clean(r.html);
+  std::size_t stops = 0;
+  for (std::size_t i = 1; i < r.plan.samples.size(); ++i) {
+    if (r.plan.samples[i].direction == r.plan.samples[i - 1].direction && is_curvature_jump(r.plan.samples[i - 1], r.plan.samples[i])) ++stops;
+  }
+  ASSERT_GT(stops, 0U);
+  EXPECT_EQ(count_of(r.svg, "<rect class=\"stop\""), stops + 1);  // and the legend's
+  EXPECT_NE(r.html.find("Stops where the curvature jumps"), std::string::npos);
+  EXPECT_NE(r.text.find(fmt::format("stops at curv. jumps   {}", stops)), std::string::npos) << r.text;
+  // About a free goal the sides of a shelf mean nothing.
+  EXPECT_EQ(r.svg.find("class=\"zone\""), std::string::npos);
+}
+
+TEST(Report, NumbersObstaclesAndTicksCoordinates) {
+  const Reported r = report("dock_cluttered.json");
+  EXPECT_EQ(count_of(r.svg, "class=\"number\""), r.plan.scenario.map.obstacles.size() + r.plan.scenario.map.lines.size());
+  EXPECT_GT(count_of(r.svg, "class=\"axis\""), 8U);
 }
 
 TEST(Report, EscapesNames) {
@@ -106,6 +177,36 @@ TEST(Report, TextIsTheGoldenOne) {
   EXPECT_NE(r.text.find("The left side of the shelf was left out: it is 0.850 m wide, and the footprint's least width with the clearance on both sides "
                         "is 1.000 m; 0.150 m are missing."),
             std::string::npos);
+}
+
+TEST(Words, BoundsAreNotRoundedUp) {
+  EXPECT_EQ(millimetres_down(0.03079), 30.7);
+  EXPECT_EQ(millimetres_down(0.05), 50.0);
+}
+
+TEST(Words, ReasonAndExplanationDoNotRepeatEachOther) {
+  Plan plan;
+  plan.reason = "no pattern fits. On the left side a box stands. On the right side too";
+  plan.explanation = {"On the left side a box stands.", "On the right side too."};
+  EXPECT_EQ(reason_once(plan), "No pattern fits.");
+  EXPECT_EQ(explanation_once(plan, false), plan.explanation);
+  plan.alternatives = {{"left side", false, {}, "On the left side a box stands.", {}, {}}};
+  EXPECT_EQ(explanation_once(plan, true), std::vector<std::string>{"On the right side too."});
+  // A reason of its own stays whole, and a sentence that only wraps it goes.
+  plan.reason = "the path touches obstacle 0";
+  plan.explanation = {"Imported poses.", "This path is not proven: the path touches obstacle 0."};
+  EXPECT_EQ(reason_once(plan), "The path touches obstacle 0.");
+  EXPECT_EQ(explanation_once(plan, false), std::vector<std::string>{"Imported poses."});
+}
+
+TEST(Words, WorkThatWasCutShortIsSaid) {
+  Plan plan;
+  EXPECT_TRUE(warnings(plan).empty());
+  plan.reproducible = false;
+  ASSERT_EQ(warnings(plan).size(), 1U);
+  EXPECT_NE(warnings(plan)[0].find("an interrupt"), std::string::npos);
+  plan.scenario.budget.seconds = 1.0;
+  EXPECT_NE(warnings(plan)[0].find("seconds"), std::string::npos);
 }
 
 TEST(SvgNumbers, AreFixedAndFinite) {

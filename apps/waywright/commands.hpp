@@ -21,8 +21,15 @@ extern std::atomic<bool> interrupted;
 
 /// Prints the one sentence; returns the exit status 2.
 int complain(const InputError& error);
-/// Prints a result on standard output; false where it cannot take it (a closed pipe, a full disk).
+/// Says something worth knowing on standard error, where results go on.
+void note(const std::string& sentence);
+/// What was repaired on loading, and what else a user should know of a scenario or a map before trusting a result.
+void note_all(const std::vector<std::string>& repairs, const std::vector<std::string>& warnings);
+/// Prints a result on standard output, control characters of names replaced; false where it cannot take it: said, unless the
+/// reader has gone.
 bool print(const std::string& text);
+/// The same for JSON, which escapes them itself: bytes as they are.
+bool print_raw(const std::string& text);
 
 /// The folder of the bundled examples: beside the installed program, or in the source tree it was built from.
 std::filesystem::path examples_folder();
@@ -51,6 +58,7 @@ struct CompareArguments {
   std::vector<std::filesystem::path> scenarios;
   std::string planners;
   std::vector<std::string> set;
+  std::vector<std::string> suite;  ///< not supported yet
   int runs = 1;
   unsigned threads = 0;
   std::optional<std::int64_t> evaluations;
@@ -59,7 +67,12 @@ struct CompareArguments {
 int compare(const CompareArguments& arguments);
 
 int list(const std::string& what);
-int map(const std::filesystem::path& file, const std::optional<std::filesystem::path>& out);
+struct MapArguments {
+  std::filesystem::path file;
+  std::optional<std::filesystem::path> out;
+  std::vector<std::string> align;  ///< "X,Y=X,Y": on the map, in the world
+};
+int map(const MapArguments& arguments);
 
 struct GenerateArguments {
   std::string name;

@@ -1,6 +1,8 @@
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 #include "commands.hpp"
 
@@ -8,14 +10,43 @@ namespace waywright::app {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Names come from files: what a terminal would take for a command (C0 and C1 control characters) becomes '?'.
+std::string printable(const std::string& text) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const bool c1 = c == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) >= 0x80 && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    if (c1) ++i;
+    out += c1 || c == 0x7F || (c < 0x20 && c != '\n' && c != '\t') ? '?' : static_cast<char>(c);
+  }
+  return out;
+}
+
+}  // namespace
+
 int complain(const InputError& error) {
-  std::fprintf(stderr, "waywright: %s\n", error.message().c_str());
+  std::fprintf(stderr, "waywright: %s\n", printable(error.message()).c_str());
   return bad_input;
 }
 
-bool print(const std::string& text) {
+void note(const std::string& sentence) { std::fprintf(stderr, "waywright: %s\n", printable(sentence).c_str()); }
+
+void note_all(const std::vector<std::string>& repairs, const std::vector<std::string>& warnings) {
+  for (const std::string& repair : repairs) note("repaired: " + repair);
+  for (const std::string& warning : warnings) note("warning: " + warning);
+}
+
+bool print(const std::string& text) { return print_raw(printable(text)); }
+
+bool print_raw(const std::string& text) {
+  errno = 0;
   const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  return std::fflush(stdout) == 0 && whole;
+  if (std::fflush(stdout) == 0 && whole) return true;
+  if (errno != EPIPE) note(std::string{"standard output cannot be written to: "} + std::strerror(errno));
+  return false;
 }
 
 fs::path examples_folder() {

@@ -7,6 +7,7 @@
 #include "outputs.hpp"
 #include "waywright/io/files.hpp"
 #include "waywright/report/scene.hpp"
+#include "waywright/report/words.hpp"
 #include "waywright/study/compare.hpp"
 #include "waywright/study/summary.hpp"
 
@@ -28,36 +29,54 @@ bool has_parameter(const PlannerDescription& planner, const std::string& name) {
   return std::any_of(planner.parameters.begin(), planner.parameters.end(), [&](const ParameterDescription& p) { return p.name == name; });
 }
 
-/// NAME, NAME:key=value:…, exec:COMMAND (which takes the rest of the list).
+/// Parts between commas; "\\," stands for a comma inside a part.
+std::vector<std::string> split_list(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\' && i + 1 < text.size() && text[i + 1] == ',') parts.back() += text[++i];
+    else if (text[i] == ',') parts.emplace_back();
+    else parts.back() += text[i];
+  }
+  std::erase(parts, "");
+  return parts;
+}
+
+std::string known_planners() {
+  std::string names;
+  for (const PlannerDescription& p : planners()) names += p.name + ", ";
+  return names + "exec:COMMAND";
+}
+
+/// NAME, NAME:key=value:… or exec:COMMAND.
+Parsed<Contestant> contestant_from(const std::string& entry) {
+  if (entry.rfind("exec:", 0) == 0) {
+    if (entry.size() == 5) return tl::unexpected{InputError{"", "--planners", "exec: names no command", "exec:COMMAND"}};
+    return Contestant{entry, "", {}, entry.substr(5)};
+  }
+  const auto parts = split(entry, ':');
+  const PlannerDescription* planner = parts.empty() ? nullptr : find_planner(parts[0]);
+  if (planner == nullptr) return tl::unexpected{InputError{"", "--planners", fmt::format("\"{}\" is not known", entry), known_planners()}};
+  Contestant contestant{entry, planner->name, {}, {}};
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    if (auto set = set_parameter(*planner, contestant.parameters, parts[i]); !set) return tl::unexpected{set.error()};
+  }
+  return contestant;
+}
+
 Parsed<std::vector<Contestant>> named_contestants(const std::string& list) {
   std::vector<Contestant> contestants;
   if (list.empty()) {
     for (const PlannerDescription& p : planners()) contestants.push_back({p.name, p.name, {}, {}});
     return contestants;
   }
-  std::string planners_part = list;
-  std::string command;
-  const std::size_t exec = list.rfind("exec:", 0) == 0 ? 0 : list.find(",exec:");
-  if (exec != std::string::npos) {
-    planners_part = list.substr(0, exec);
-    command = list.substr(list.find("exec:") + 5);
-    if (command.empty()) return tl::unexpected{InputError{"", "--planners", "exec: names no command", "exec:COMMAND"}};
+  for (const std::string& entry : split_list(list)) {
+    auto contestant = contestant_from(entry);
+    if (!contestant) return tl::unexpected{contestant.error()};
+    const bool twice = std::any_of(contestants.begin(), contestants.end(), [&](const Contestant& c) { return c.label == entry; });
+    if (twice) return tl::unexpected{InputError{"", "--planners", fmt::format("\"{}\" is named twice", entry), "each once; --runs repeats them"}};
+    contestants.push_back(std::move(*contestant));
   }
-  for (const std::string& entry : split(planners_part, ',')) {
-    const auto parts = split(entry, ':');
-    const PlannerDescription* planner = parts.empty() ? nullptr : find_planner(parts[0]);
-    if (planner == nullptr) {
-      std::string names;
-      for (const PlannerDescription& p : planners()) names += p.name + ", ";
-      return tl::unexpected{InputError{"", "--planners", fmt::format("\"{}\" is not known", entry), names + "exec:COMMAND"}};
-    }
-    Contestant contestant{entry, planner->name, {}, {}};
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-      if (auto set = set_parameter(*planner, contestant.parameters, parts[i]); !set) return tl::unexpected{set.error()};
-    }
-    contestants.push_back(std::move(contestant));
-  }
-  if (!command.empty()) contestants.push_back({"exec:" + command, "", {}, command});
+  if (contestants.empty()) return tl::unexpected{InputError{"", "--planners", "no planner is named", known_planners()}};
   return contestants;
 }
 
@@ -66,10 +85,11 @@ Parsed<std::vector<Contestant>> with_settings(std::vector<Contestant> contestant
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0) {
-      return tl::unexpected{InputError{"", "--set", fmt::format("\"{}\" is not KEY=VALUE", setting), ""}};
+      return tl::unexpected{InputError{"", "--set", fmt::format("\"{}\" is not KEY=VALUE", setting), "KEY=VALUE or KEY=A,B"}};
     }
     const std::string key = setting.substr(0, equals);
     const auto values = split(setting.substr(equals + 1), ',');
+    if (values.empty()) return tl::unexpected{InputError{"", "--set " + key, "it names no value", "KEY=VALUE or KEY=A,B"}};
     std::vector<Contestant> more;
     bool used = false;
     for (const Contestant& contestant : contestants) {
@@ -98,16 +118,47 @@ void show_progress(std::size_t done, std::size_t total) {
   std::fflush(stderr);
 }
 
-/// Of each contestant its shortest proven path, or else any path.
+constexpr std::int64_t default_evaluations = 2000;
+
+bool names_budget(const Problem& problem) {
+  const BudgetLimits& limits = problem.scenario().budget;
+  return limits.evaluations || limits.samples || limits.seconds;
+}
+
+/// One budget for all: what was asked for, or the scenario's own, or the default. Who names `evaluations` for a contestant wants another
+/// one for it, and gets no default. Returns what to say of it.
+Parsed<std::string> set_budget(const CompareArguments& arguments, const std::vector<Problem>& problems, const std::vector<Contestant>& contestants,
+                               CompareOptions& options) {
+  const bool own = std::any_of(contestants.begin(), contestants.end(), [](const Contestant& c) { return c.parameters.contains("evaluations"); });
+  const bool in_scenario = std::any_of(problems.begin(), problems.end(), [](const Problem& p) { return p.scenario().budget.evaluations.has_value(); });
+  if (own && (arguments.evaluations || in_scenario)) {
+    return tl::unexpected{InputError{"", arguments.evaluations ? "--evaluations" : "budget.evaluations of a scenario",
+                                     "a contestant has a number of evaluations of its own, which this budget would take the place of", "one of the two"}};
+  }
+  options.budget.evaluations = arguments.evaluations;
+  if (arguments.evaluations) return fmt::format("budget: at most {} evaluations a run, the same for all; who is done earlier stops earlier\n", *arguments.evaluations);
+  if (own) return std::string{"budget: the numbers of evaluations that the contestants name\n"};
+  options.default_evaluations = default_evaluations;
+  if (std::any_of(problems.begin(), problems.end(), names_budget)) {
+    return fmt::format("budget: the scenario's, the same for all; at most {} evaluations a run where it names none\n", default_evaluations);
+  }
+  return fmt::format("budget: at most {} evaluations a run, the same for all; who is done earlier stops earlier\n", default_evaluations);
+}
+
+/// Of each contestant its shortest proven path, or else any path; the name says which of its runs that is.
 std::vector<std::pair<std::string, const Plan*>> best_plans(const std::vector<Run>& runs, std::size_t scenario, const std::vector<Contestant>& contestants) {
   std::vector<std::pair<std::string, const Plan*>> best;
   for (std::size_t c = 0; c < contestants.size(); ++c) {
     const Plan* chosen = nullptr;
+    std::size_t all = 0;
     const auto rank = [](const Plan& p) { return std::pair{p.status == Status::solved ? 0 : p.samples.empty() ? 2 : 1, p.metrics.length}; };
     for (const Run& run : runs) {
-      if (run.scenario == scenario && run.contestant == c && (chosen == nullptr || rank(run.plan) < rank(*chosen))) chosen = &run.plan;
+      if (run.scenario != scenario || run.contestant != c) continue;
+      ++all;
+      if (chosen == nullptr || rank(run.plan) < rank(*chosen)) chosen = &run.plan;
     }
-    if (chosen != nullptr) best.emplace_back(contestants[c].label, chosen);
+    if (chosen == nullptr) continue;
+    best.emplace_back(contestants[c].label + (all > 1 ? fmt::format(", seed {}, the shortest of {} runs", chosen->seed, all) : ""), chosen);
   }
   return best;
 }
@@ -115,39 +166,44 @@ std::vector<std::pair<std::string, const Plan*>> best_plans(const std::vector<Ru
 }  // namespace
 
 int compare(const CompareArguments& arguments) {
+  if (!arguments.suite.empty()) return complain({"", "--suite", "it is not supported yet", "scenario files"});
+  if (arguments.scenarios.empty()) return complain({"", "command line", "SCENARIO is required", "one or more scenario files"});
   std::vector<Problem> problems;
   std::vector<std::string> names;
   for (const auto& file : arguments.scenarios) {
     auto loaded = load(file);
     if (!loaded) return complain(loaded.error());
+    note_all(loaded->problem.scenario().map.notes, {});
+    if (auto warning = alignment_warning(loaded->problem.scenario())) note_all({}, {*warning});
     names.push_back(loaded->problem.scenario().name.empty() ? file.stem().string() : loaded->problem.scenario().name);
     problems.push_back(std::move(loaded->problem));
   }
   auto contestants = named_contestants(arguments.planners);
   if (contestants) contestants = with_settings(std::move(*contestants), arguments.set);
   if (!contestants) return complain(contestants.error());
+  CompareOptions options;
+  const auto budget = set_budget(arguments, problems, *contestants, options);
+  if (!budget) return complain(budget.error());
   if (auto ready = prepare_folder(arguments.out); !ready) return complain(ready.error());
 
-  CompareOptions options;
   options.runs = arguments.runs;
   options.threads = arguments.threads;
-  options.budget.evaluations = arguments.evaluations;
   options.progress = show_progress;
   options.cancel = &interrupted;
   const std::vector<Run> runs = waywright::compare(problems, *contestants, options);
 
   const auto summaries = summarise(runs, problems.size(), contestants->size());
-  std::string text = summary_text(summaries, names, *contestants);
-  if (auto written = write_file(arguments.out / "compare.csv", runs_csv(runs, names, *contestants)); !written) return complain(written.error());
+  std::string text = *budget + summary_text(summaries, names, *contestants);
+  std::vector<NamedText> files{{arguments.out / "compare.csv", runs_csv(runs, names, *contestants)}};
   text += fmt::format("\nwritten: {0}/compare.csv", arguments.out.string());
   for (std::size_t p = 0; p < problems.size(); ++p) {
     const std::string name = problems.size() == 1 ? "compare.svg" : fmt::format("compare-{}.svg", p + 1);
-    const std::string picture = overlay_svg(problems[p], best_plans(runs, p, *contestants), 860.0);
-    if (auto written = write_file(arguments.out / name, picture); !written) return complain(written.error());
+    files.push_back({arguments.out / name, overlay_svg(problems[p], best_plans(runs, p, *contestants), 860.0)});
     text += fmt::format(", {}/{}", arguments.out.string(), name);
   }
+  if (auto written = write_files(files); !written) return complain(written.error());
   const std::size_t wanted = problems.size() * contestants->size() * static_cast<std::size_t>(arguments.runs);
-  if (runs.size() < wanted) text += fmt::format("\ninterrupted: {} of {} runs are in the tables", runs.size(), wanted);
+  if (runs.size() < wanted) text += fmt::format("\ninterrupted: {} of {} runs are in the tables, as many of each contestant as were done", runs.size(), wanted);
   return print(text + "\n") && runs.size() == wanted ? solved : not_solved;
 }
 

@@ -4,6 +4,7 @@
 #include "waywright/io/plan_io.hpp"
 #include "waywright/judge/import.hpp"
 #include "waywright/report/report.hpp"
+#include "waywright/report/words.hpp"
 
 namespace waywright::app {
 
@@ -18,6 +19,7 @@ int import(const ImportArguments& arguments) {
   Plan plan = judge_imported(problem, std::move(*path));
   plan.timing.load = loaded->load;
   plan.timing.prepare = loaded->prepare;
+  note_all(plan.scenario.map.notes, warnings(plan));
   if (auto written = write_plan(folder, problem, plan); !written) return complain(written.error());
   const bool printed = print(plan_text(plan) + fmt::format("written: {0}/plan.json, {0}/plan.svg, {0}/report.html\n", folder.string()));
   return plan.status == Status::solved && printed ? solved : not_solved;

@@ -57,13 +57,16 @@ int run(int argc, char** argv) {
 
   CompareArguments compare_arguments;
   auto* compare_command = app.add_subcommand("compare", "planners side by side under one validity check and one budget");
-  compare_command->add_option("SCENARIO", compare_arguments.scenarios, "scenario files")->required();
+  compare_command->add_option("SCENARIO", compare_arguments.scenarios, "scenario files");
   compare_command->add_option("--planners", compare_arguments.planners,
-                              "comma-separated: NAME, NAME:key=value:key=value, exec:COMMAND (default: all planners)");
+                              "comma-separated: NAME, NAME:key=value:key=value, exec:COMMAND (default: all planners). COMMAND is run by sh with the "
+                              "scenario's JSON on its standard input, and answers with a CSV of poses (x,y,heading,direction) within the budget's seconds, "
+                              "or 60 s; a comma of its own is written \\,");
   compare_command->add_option("--set", compare_arguments.set, "KEY=VALUE for every planner that has the parameter; KEY=A,B makes one contestant of each");
   compare_command->add_option("--runs", compare_arguments.runs, "seeds each")->check(CLI::Range(1, 1000000));
   compare_command->add_option("--threads", compare_arguments.threads, "0: all cores")->check(CLI::Range(0, 1024));
-  compare_command->add_option("--evaluations", compare_arguments.evaluations, "the same budget for all")->check(CLI::Range(1LL, 1000000000000LL));
+  compare_command->add_option("--evaluations", compare_arguments.evaluations, "the same budget for all (default: the scenario's, or 2000)")->check(CLI::Range(1LL, 1000000000000LL));
+  compare_command->add_option("--suite", compare_arguments.suite, "NAME DIR: not supported yet")->expected(1, 2);
   compare_command->add_option("-o,--out", compare_arguments.out, "folder to write to");
   compare_command->callback([&] { status = compare(compare_arguments); });
 
@@ -72,12 +75,13 @@ int run(int argc, char** argv) {
   list_command->add_option("WHAT", what, "planners, optimizers, objectives, vehicles, maps, zones, generators, or a planner's name");
   list_command->callback([&] { status = list(what); });
 
-  std::filesystem::path map_file;
-  std::optional<std::filesystem::path> map_out;
+  MapArguments map_arguments;
   auto* map_command = app.add_subcommand("map", "what a map file holds; with -o it is written as map.json");
-  map_command->add_option("FILE", map_file, "ROS yaml or map.json")->required();
-  map_command->add_option("-o,--out", map_out, "map.json to write");
-  map_command->callback([&] { status = map(map_file, map_out); });
+  map_command->add_option("FILE", map_arguments.file, "ROS yaml or map.json")->required();
+  map_command->add_option("-o,--out", map_arguments.out, "map.json to write");
+  map_command->add_option("--align", map_arguments.align,
+                          "X,Y=X,Y: a point on the map and where it lies in the world; two or more place the map, and their residuals are told");
+  map_command->callback([&] { status = map(map_arguments); });
 
   GenerateArguments generate_arguments;
   auto* generate_command = app.add_subcommand("generate", "make a test scenario or map");

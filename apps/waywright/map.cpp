@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 
-#include "commands.hpp"
+#include "outputs.hpp"
 #include "waywright/io/files.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/map/world.hpp"
@@ -29,22 +31,47 @@ std::string describe(const std::filesystem::path& file, const Map& map) {
   if (map.alignment) {
     const Pose& t = map.alignment->transform;
     text += fmt::format("  placed at ({:.4f}, {:.4f}, {:.5f} rad)", t.x, t.y, t.heading);
-    for (const double r : map.alignment->residuals) text += fmt::format("{} {:.4f}", r == map.alignment->residuals.front() ? "; residuals in m:" : ",", r);
+    const std::vector<double>& residuals = map.alignment->residuals;
+    for (std::size_t i = 0; i < residuals.size(); ++i) text += fmt::format("{} {:.4f}", i == 0 ? "; residuals in m:" : ",", residuals[i]);
     text += "\n";
   }
-  for (const std::string& note : map.notes) text += "  repaired: " + note + "\n";
+  for (const std::string& repaired : map.notes) text += "  repaired: " + repaired + "\n";
   return text;
+}
+
+/// "X,Y=X,Y": a point on the map and where it lies in the world.
+Parsed<std::pair<Vec2, Vec2>> pair_from(const std::string& text) {
+  std::array<double, 4> values{};
+  const char* at = text.c_str();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    char* end = nullptr;
+    values[i] = std::strtod(at, &end);
+    const char wanted = i == 3 ? '\0' : i == 1 ? '=' : ',';
+    if (end == at || *end != wanted || !std::isfinite(values[i])) {
+      return tl::unexpected{InputError{"", "--align", fmt::format("\"{}\" is not a pair of points", text), "X,Y=X,Y: a point on the map and where it lies in the world, in metres"}};
+    }
+    at = end + 1;
+  }
+  return std::pair{Vec2{values[0], values[1]}, Vec2{values[2], values[3]}};
 }
 
 }  // namespace
 
-int map(const std::filesystem::path& file, const std::optional<std::filesystem::path>& out) {
-  auto map = read_map(file);
+int map(const MapArguments& arguments) {
+  std::vector<std::pair<Vec2, Vec2>> pairs;
+  for (const std::string& text : arguments.align) {
+    auto pair = pair_from(text);
+    if (!pair) return complain(pair.error());
+    pairs.push_back(*pair);
+  }
+  auto map = read_map(arguments.file, pairs);
   if (!map) return complain(map.error());
+  const auto& out = arguments.out;
   if (out) {
+    if (auto ready = prepare_folder_of(*out); !ready) return complain(ready.error());
     if (auto written = write_file(*out, map_json(*map)); !written) return complain(written.error());
   }
-  return print(describe(file, *map) + (out ? "written: " + out->string() + "\n" : "")) ? solved : not_solved;
+  return print(describe(arguments.file, *map) + (out ? "written: " + out->string() + "\n" : "")) ? solved : not_solved;
 }
 
 }  // namespace waywright::app

@@ -1,5 +1,6 @@
 #include "outputs.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -30,12 +31,19 @@ Parsed<void> prepare_folder(const fs::path& folder) {
   return {};
 }
 
+Parsed<void> prepare_folder_of(const fs::path& file) {
+  std::error_code error;
+  const fs::path folder = file.parent_path();
+  if (folder.empty() || fs::is_directory(folder, error)) return {};
+  auto made = prepare_folder(folder);
+  if (made) note(fmt::format("the folder {} was made", folder.string()));
+  return made;
+}
+
 Parsed<void> write_plan(const fs::path& folder, const Problem& problem, const Plan& plan) {
-  for (const auto& [name, text] : {std::pair{"plan.json", plan_json(plan)}, {"plan.svg", plan_svg(problem, plan)},
-                                   {"report.html", report_html(problem, plan)}}) {
-    if (auto written = write_file(folder / name, text); !written) return written;
-  }
-  return {};
+  return write_files({{folder / "plan.json", plan_json(plan)},
+                      {folder / "plan.svg", plan_svg(problem, plan)},
+                      {folder / "report.html", report_html(problem, plan)}});
 }
 
 Parsed<Loaded> load(const fs::path& file, const std::function<Parsed<void>(Scenario&)>& change) {

@@ -16,7 +16,10 @@ std::filesystem::path default_folder(const std::string& name);
 /// Makes the folder and tries it before long work begins.
 Parsed<void> prepare_folder(const std::filesystem::path& folder);
 
-/// plan.json, plan.svg, report.html.
+/// Makes the folder that a file is to lie in where there is none, and says so.
+Parsed<void> prepare_folder_of(const std::filesystem::path& file);
+
+/// plan.json, plan.svg, report.html: all or none.
 Parsed<void> write_plan(const std::filesystem::path& folder, const Problem& problem, const Plan& plan);
 
 /// Scenario file → problem, with the times it took.

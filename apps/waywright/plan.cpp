@@ -4,6 +4,7 @@
 #include "waywright/io/plan_io.hpp"
 #include "waywright/planner/registry.hpp"
 #include "waywright/report/report.hpp"
+#include "waywright/report/words.hpp"
 
 namespace waywright::app {
 namespace {
@@ -50,11 +51,13 @@ int plan(const PlanArguments& arguments) {
   }
   plan->timing.load = loaded->load;
   plan->timing.prepare += loaded->prepare;
+  note_all(plan->scenario.map.notes, warnings(*plan));
   if (write) {
     if (auto written = write_plan(folder, problem, *plan); !written) return complain(written.error());
   }
-  const bool printed = print(arguments.json ? plan_json(*plan)
-                                            : plan_text(*plan) + fmt::format("written: {0}/plan.json, {0}/plan.svg, {0}/report.html\n", folder.string()));
+  const bool printed = arguments.json
+                           ? print_raw(plan_json(*plan))
+                           : print(plan_text(*plan) + fmt::format("written: {0}/plan.json, {0}/plan.svg, {0}/report.html\n", folder.string()));
   return plan->status == Status::solved && printed ? solved : not_solved;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "waywright/core/result.hpp"
 
@@ -12,8 +13,18 @@ namespace waywright {
 /// The whole file, refused beyond `limit` bytes, when missing, a directory or unreadable.
 Parsed<std::string> read_file(const std::filesystem::path& path, std::uint64_t limit);
 
-/// Creates the folders needed, writes beside the target and renames: the file appears whole or not at all.
+/// The first `count` bytes at most, for a look at a header; refused like read_file.
+Parsed<std::string> read_head(const std::filesystem::path& path, std::size_t count);
+
+/// Writes beside the target and renames: the file appears whole or not at all. Its folder must be there.
 Parsed<void> write_file(const std::filesystem::path& path, const std::string& content);
+
+struct NamedText {
+  std::filesystem::path path;
+  std::string content;
+};
+/// All of them or none: all are written beside their targets before the first is renamed.
+Parsed<void> write_files(const std::vector<NamedText>& files);
 
 /// Lower-case hexadecimal SHA-256.
 std::string sha256(const std::string& bytes);

@@ -13,6 +13,9 @@ tl::unexpected<InputError> refuse(const std::string& name, std::string problem, 
   return tl::unexpected{InputError{name, "", std::move(problem), std::move(allowed)}};
 }
 
+bool is_png(const std::string& bytes) { return bytes.size() > 8 && bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") == 0; }
+bool is_pgm(const std::string& bytes) { return bytes.size() > 2 && bytes[0] == 'P' && (bytes[1] == '5' || bytes[1] == '2'); }
+
 std::string size_allowed() { return fmt::format("1 to {} pixels a side", largest_side); }
 
 /// PGM's header and plain numbers: white space and comments between tokens.
@@ -65,7 +68,7 @@ Parsed<GreyImage> decode_pgm(const std::string& bytes, const std::string& name) 
   if (most < 1 || most > 65535) return refuse(name, fmt::format("the PGM maximum is {}", most), "1 to 65535");
   const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const auto truncated = [&](std::size_t have) {
-    return refuse(name, fmt::format("the picture is cut short: {} of {} pixels", have, count));
+    return refuse(name, fmt::format("the picture is cut short: {} of {} pixels", have, count), "a whole picture");
   };
   const auto grey = [&](long value) { return static_cast<std::uint8_t>((value * 255 + most / 2) / most); };
   GreyImage image{static_cast<int>(width), static_cast<int>(height), {}};
@@ -99,7 +102,7 @@ Parsed<GreyImage> decode_png(const std::string& bytes, const std::string& name) 
   std::memset(&png, 0, sizeof png);
   png.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
-    return refuse(name, fmt::format("the PNG cannot be read: {}", png.message));
+    return refuse(name, fmt::format("the PNG cannot be read: {}", png.message), "a whole PNG");
   }
   if (png.width < 1 || png.height < 1 || png.width > largest_side || png.height > largest_side) {
     const auto sentence = fmt::format("the picture is {} × {} pixels", png.width, png.height);
@@ -114,7 +117,7 @@ Parsed<GreyImage> decode_png(const std::string& bytes, const std::string& name) 
   if (png_image_finish_read(&png, nullptr, rgba.data(), 0, nullptr) == 0) {
     const auto sentence = fmt::format("the PNG cannot be read: {}", png.message);
     png_image_free(&png);
-    return refuse(name, sentence);
+    return refuse(name, sentence, "a whole PNG");
   }
   image.pixels.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -127,9 +130,30 @@ Parsed<GreyImage> decode_png(const std::string& bytes, const std::string& name) 
 }  // namespace
 
 Parsed<GreyImage> decode_image(const std::string& bytes, const std::string& name) {
-  if (bytes.size() > 8 && bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") == 0) return decode_png(bytes, name);
-  if (bytes.size() > 2 && bytes[0] == 'P' && (bytes[1] == '5' || bytes[1] == '2')) return decode_pgm(bytes, name);
+  if (is_png(bytes)) return decode_png(bytes, name);
+  if (is_pgm(bytes)) return decode_pgm(bytes, name);
   return refuse(name, "it is not a picture that can be read", "PGM (P2, P5) or PNG");
+}
+
+std::optional<InputError> refused_by_header(const std::string& head, const std::string& name) {
+  long width = -1, height = -1;
+  if (is_png(head)) {
+    if (head.size() < 24) return std::nullopt;
+    const auto word = [&](std::size_t at) {
+      long value = 0;
+      for (std::size_t i = 0; i < 4; ++i) value = value * 256 + static_cast<unsigned char>(head[at + i]);
+      return value;
+    };
+    width = word(16);
+    height = word(20);
+  } else if (is_pgm(head)) {
+    PgmReader reader{head};
+    width = reader.number();
+    height = reader.number();
+    if (reader.number() < 0) return std::nullopt;  // the head ends before the header does, or it is broken
+  }
+  if (width <= largest_side && height <= largest_side) return std::nullopt;
+  return InputError{name, "", fmt::format("the picture is {} × {} pixels", width, height), size_allowed()};
 }
 
 std::string encode_png(const GreyImage& image) {

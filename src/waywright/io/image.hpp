@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ inline constexpr int largest_side = 16384;  ///< pixels
 
 /// Bytes of a file to a picture, by their first bytes. Sizes are checked before memory is asked for.
 Parsed<GreyImage> decode_image(const std::string& bytes, const std::string& name);
+
+/// What the first bytes of a picture already show: a size that decode_image would refuse. Empty where they do not show it.
+std::optional<InputError> refused_by_header(const std::string& head, const std::string& name);
 
 /// A PNG of 8-bit grey; empty where libpng refuses.
 std::string encode_png(const GreyImage& image);

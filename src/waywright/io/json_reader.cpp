@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t longest_hint = 64;    // bytes of a field's name that a hint is looked for
 constexpr std::size_t longest_name = 4096;  // bytes of a file name
 constexpr double largest_angle = 1e6;       // rad; beyond it a wrapped angle has lost too many digits
+constexpr double any_number = 1e300;        // a limit beyond it is none
 constexpr double largest_whole = 9007199254740992.0;  // 2^53: whole numbers up to it are exact as doubles
 
 /// Edits (a letter more, less, another, or two swapped) from one word to another.
@@ -91,6 +92,15 @@ void ReadContext::fail(const std::string& field, std::string problem, std::strin
   if (!error) error = InputError{file, field, std::move(problem), std::move(allowed)};
 }
 
+void fail_by_file(const Node& field, InputError error) {
+  if (field.failed()) return;
+  if (!error.field.empty()) {
+    field.context().error = std::move(error);
+    return;
+  }
+  field.fail(error.file + ": " + error.problem, error.allowed);
+}
+
 bool Node::is_object_of(std::initializer_list<const char*> fields) const {
   if (!json_->is_object()) {
     fail(fmt::format("it is {}", kind_of(*json_)), "an object");
@@ -108,23 +118,26 @@ bool Node::is_object_of(std::initializer_list<const char*> fields) const {
   return true;
 }
 
+Node Node::missing_child(std::string path) const {
+  Node node{nothing(), std::move(path), *context_};
+  node.missing_ = true;
+  return node;
+}
+
 Node Node::at(const char* field) const {
   if (!json_->is_object()) {
     fail(fmt::format("it is {}", kind_of(*json_)), "an object");
     return Node{nothing(), child(path_, field), *context_};
   }
   const auto found = json_->find(field);
-  if (found == json_->end()) {
-    context_->fail(child(path_, field), "the field is missing");
-    return Node{nothing(), child(path_, field), *context_};
-  }
+  if (found == json_->end()) return missing_child(child(path_, field));
   return Node{*found, child(path_, field), *context_};
 }
 
 Node Node::at(std::size_t index) const {
   std::string path = fmt::format("{}[{}]", path_, index);
   if (!json_->is_array() || index >= json_->size()) {
-    context_->fail(path, "the element is missing");
+    fail(fmt::format("element {} is missing", index), "an array with it");
     return Node{nothing(), std::move(path), *context_};
   }
   return Node{(*json_)[index], std::move(path), *context_};
@@ -164,7 +177,7 @@ bool Node::is_array_of(std::size_t n, const char* what) const {
 
 double Node::number(double low, double high) const {
   if (!json_->is_number()) {
-    fail(fmt::format("it is {}", kind_of(*json_)), "a number");
+    fail(fmt::format("it is {}", kind_of(*json_)), high < any_number ? fmt::format("a number from {} to {}", low, high) : "a number");
     return low;
   }
   const double value = json_->get<double>();
@@ -176,7 +189,11 @@ double Node::number(double low, double high) const {
 }
 
 double Node::number_above(double low, double high) const {
-  if (json_->is_number() && !(json_->get<double>() > low && json_->get<double>() <= high)) {
+  if (!json_->is_number()) {
+    fail(fmt::format("it is {}", kind_of(*json_)), fmt::format("a number above {}, at most {}", low, high));
+    return high;
+  }
+  if (!(json_->get<double>() > low && json_->get<double>() <= high)) {
     fail(fmt::format("{} is out of range", json_->get<double>()),
          fmt::format("above {}, at most {}", low, high));
     return high;
@@ -185,7 +202,11 @@ double Node::number_above(double low, double high) const {
 }
 
 double Node::number_between(double low, double high) const {
-  if (json_->is_number() && !(json_->get<double>() > low && json_->get<double>() < high)) {
+  if (!json_->is_number()) {
+    fail(fmt::format("it is {}", kind_of(*json_)), fmt::format("a number above {}, under {}", low, high));
+    return 0.5 * (low + high);
+  }
+  if (!(json_->get<double>() > low && json_->get<double>() < high)) {
     fail(fmt::format("{} is out of range", json_->get<double>()),
          fmt::format("above {}, under {}", low, high));
     return 0.5 * (low + high);
@@ -195,7 +216,7 @@ double Node::number_between(double low, double high) const {
 
 std::int64_t Node::integer(std::int64_t low, std::int64_t high) const {
   if (!json_->is_number()) {
-    fail(fmt::format("it is {}", kind_of(*json_)), "a whole number");
+    fail(fmt::format("it is {}", kind_of(*json_)), fmt::format("a whole number from {} to {}", low, high));
     return low;
   }
   std::optional<std::int64_t> value;
@@ -230,6 +251,10 @@ std::string Node::text() const {
 }
 
 std::string Node::word(std::initializer_list<const char*> words) const {
+  if (!json_->is_string()) {
+    fail(fmt::format("it is {}", kind_of(*json_)), list_of(words));
+    return {};
+  }
   const std::string given = text();
   if (failed() || std::any_of(words.begin(), words.end(), [&](const char* w) { return given == w; }))
     return given;
@@ -241,8 +266,9 @@ std::string Node::word(std::initializer_list<const char*> words) const {
 }
 
 std::string Node::file_name() const {
-  std::string name = text();
+  if (!json_->is_string()) fail(fmt::format("it is {}", kind_of(*json_)), "the name of a file");
   if (failed()) return {};
+  std::string name = text();
   const auto control = [](unsigned char c) { return c < 0x20 || c == 0x7F; };
   if (name.empty() || name.size() > longest_name || std::any_of(name.begin(), name.end(), control)) {
     fail(name.empty() ? "the file name is empty" : fmt::format("\"{}\" is not a file name", shortened(name)),

@@ -49,7 +49,7 @@ class Node {
   ReadContext& context() const { return *context_; }
   bool failed() const { return context_->error.has_value(); }
   void fail(std::string problem, std::string allowed = "") const {
-    context_->fail(path_, std::move(problem), std::move(allowed));
+    context_->fail(path_, missing_ ? std::string{missing_words} : std::move(problem), std::move(allowed));
   }
 
   /// Is an object with no other fields than these; fails otherwise, with the nearest spelling as a hint.
@@ -59,8 +59,9 @@ class Node {
   bool has(const char* field) const { return json_->is_object() && json_->contains(field); }
   /// The field is there and not null: for the few fields that may be null.
   bool given(const char* field) const { return has(field) && !(*json_)[field].is_null(); }
-  /// The field; fails where it is missing.
+  /// The field. Where it is missing, whatever is asked of it fails and says so, with what would have been allowed.
   Node at(const char* field) const;
+  bool missing() const { return missing_; }
   Node at(std::size_t index) const;
   std::vector<Node> elements() const;  ///< of an array; fails where it is none
   /// The members of an object with their names; fails where it is none.
@@ -86,10 +87,17 @@ class Node {
   template <std::size_t n>
   bool plain(std::array<double, n>& values, double most) const;
 
+  static constexpr const char* missing_words = "the field is missing";
+  Node missing_child(std::string path) const;
+
   const Json* json_;
   std::string path_;
   ReadContext* context_;
+  bool missing_ = false;
 };
+
+/// An error of a file that a field names: where it is one of the file as a whole (not there, a folder), it names the field too.
+void fail_by_file(const Node& field, InputError error);
 
 /// "a number", "text", "an object" …: what a value is, for messages.
 std::string kind_of(const Json& json);

@@ -154,7 +154,7 @@ TEST(Node, FirstErrorStays) {
   node.at("a").number(0, 1);
   node.at("b").at(1).number(0, 1);
   node.at("c");
-  EXPECT_EQ(context.error->message(), "f: a: it is text (allowed: a number)");
+  EXPECT_EQ(context.error->message(), "f: a: it is text (allowed: a number from 0 to 1)");
 }
 
 TEST(Pretty, NumbersReadBackToTheSameBits) {

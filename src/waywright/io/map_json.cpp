@@ -97,6 +97,10 @@ class MapReader {
 
  private:
   bool check_fields() {
+    if (!node_.is_object()) {
+      node_.fail(fmt::format("it is {}", kind_of(node_.json())), "an object with polygons, cells, ros or image");
+      return false;
+    }
     // Before the other fields: these kinds have fields of their own.
     for (const char* later : {"dxf", "movingai", "generate"}) {
       if (!node_.has(later)) continue;
@@ -156,7 +160,7 @@ class MapReader {
     if (node_.failed() || !count_file()) return;
     source["file"] = name;
     if (node_.has("unknown_is_free")) source["unknown_is_free"] = unknown_is_free;
-    take_grid(load_ros_map(folder_ / name, unknown_is_free), source);
+    take_grid(node_.at("ros"), load_ros_map(folder_ / name, unknown_is_free), source);
   }
 
   void read_image(Json& source) {
@@ -169,11 +173,11 @@ class MapReader {
     source["resolution"] = resolution;
     source["origin"] = to_json(origin);
     source["occupied_below"] = below;
-    take_grid(load_image_map(folder_ / name, resolution, origin, below), source);
+    take_grid(node_.at("image"), load_image_map(folder_ / name, resolution, origin, below), source);
   }
 
-  void take_grid(Parsed<LoadedGrid> loaded, Json& source) {
-    if (!loaded) return take_over(node_, loaded.error());
+  void take_grid(const Node& name, Parsed<LoadedGrid> loaded, Json& source) {
+    if (!loaded) return fail_by_file(name, loaded.error());
     if (!count_cells(node_, loaded->grid.columns, loaded->grid.rows)) return;
     // The files' names without their folders: the record is the same wherever the scenario lies.
     for (const MapFile& file : loaded->files)
@@ -218,7 +222,7 @@ class MapReader {
     if (node_.failed() || !count_file()) return;
     const fs::path path = folder_ / name;
     auto text = read_file(path, largest_json);
-    if (!text) return take_over(node_, text.error());
+    if (!text) return fail_by_file(polygons, text.error());
     auto json = parse_json(*text, path.string());
     if (!json) return take_over(node_, json.error());
     ReadContext inner = node_.context();
@@ -307,9 +311,22 @@ class MapReader {
     }
     if (node.failed()) return std::nullopt;
     auto found = align(from, to);
-    if (found) return *found;
+    if (found && !is_mirrored(node, from, to, *found)) return *found;
+    if (found) return std::nullopt;
     node.fail(found.error().problem, found.error().allowed);
     return std::nullopt;
+  }
+
+  /// Axes swapped or one turned over: no turn and shift can bring such points together, however small the error seems. Refused.
+  static bool is_mirrored(const Node& node, std::vector<Vec2> from, const std::vector<Vec2>& to, const Alignment& found) {
+    constexpr double clearly_off = 0.05;  // m
+    const auto worst = [](const Alignment& a) { return *std::max_element(a.residuals.begin(), a.residuals.end()); };
+    for (Vec2& p : from) p.y = -p.y;
+    const auto mirrored = align(from, to);
+    if (from.size() < 3 || !mirrored || worst(found) < clearly_off || worst(*mirrored) > 0.1 * worst(found)) return false;
+    node.fail(fmt::format("the pairs fit a mirrored map: they are up to {:.3f} m apart as they stand, {:.3f} m when the map is mirrored", worst(found), worst(*mirrored)),
+              "pairs that a turn and a shift bring together");
+    return true;
   }
 
   void check_limits() {
@@ -369,7 +386,7 @@ Json map_to_json(const Map& map) {
 
 std::string map_json(const Map& map) { return pretty(map_to_json(map)); }
 
-Parsed<Map> read_map(const fs::path& file) {
+Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align) {
   const auto refuse = [&](const char* problem, const char* allowed) {
     return tl::unexpected{InputError{file.string(), "", problem, allowed}};
   };
@@ -380,12 +397,16 @@ Parsed<Map> read_map(const fs::path& file) {
   }
   // A map object that names the file, or that lies in it: the same reading and checks as in a scenario.
   const bool yaml = extension == ".yaml" || extension == ".yml";
-  const Json named{{yaml ? "ros" : "polygons", file.filename().string()}};
-  ReadContext context{file.string(), {}};
+  Json named{{yaml ? "ros" : "polygons", file.filename().string()}};
+  for (const auto& [from, to] : align) named["align"].push_back(Json::array({to_json(from), to_json(to)}));
+  ReadContext context{"", {}};
   Json source;
   Map map = read_map_node(Node{named, "", context}, file.parent_path(), source);
-  if (context.error) return tl::unexpected{*context.error};
-  return map;
+  if (!context.error) return map;
+  InputError error = *context.error;
+  if (error.field == "ros" || error.field == "polygons") error.field.clear();  // of the object made here, which names the file itself
+  else if (error.file.empty()) error.file = file.string();
+  return tl::unexpected{error};
 }
 
 }  // namespace waywright

@@ -173,16 +173,73 @@ TEST(Align, RecoversRigidTransformsAndReportsResiduals) {
 }
 
 TEST_F(Files, AppearWholeOrNotAtAll) {
+  const auto no_folder = write_file(folder_ / "a" / "b.txt", "hello");
+  ASSERT_FALSE(no_folder);
+  EXPECT_NE(no_folder.error().message().find("there is no folder"), std::string::npos);
+  fs::create_directory(folder_ / "a");
   EXPECT_TRUE(write_file(folder_ / "a" / "b.txt", "hello"));
+  EXPECT_EQ(*read_head(folder_ / "a" / "b.txt", 3), "hel");
+  EXPECT_EQ(*read_head(folder_ / "a" / "b.txt", 30), "hello");
   EXPECT_EQ(*read_file(folder_ / "a" / "b.txt", 100), "hello");
   EXPECT_FALSE(read_file(folder_ / "a" / "b.txt", 3));
   EXPECT_FALSE(read_file(folder_ / "a", 100));
   EXPECT_FALSE(write_file(folder_ / "a" / "b.txt" / "c", "x"));
   EXPECT_FALSE(write_file(folder_ / "a", "x"));
+  // All of them or none.
+  EXPECT_FALSE(write_files({{folder_ / "a" / "b.txt", "other"}, {folder_ / "a" / "c.txt", "more"}, {folder_ / "a", "x"}}));
+  EXPECT_EQ(*read_file(folder_ / "a" / "b.txt", 100), "hello");
   std::size_t entries = 0;
   for ([[maybe_unused]] const auto& e : fs::recursive_directory_iterator{folder_}) ++entries;
   EXPECT_EQ(entries, 2U);  // the folder and the file: nothing half-written is left
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST_F(Files, PicturesAreRefusedByTheirHeaders) {
+  const auto refused = [](const std::string& head) {
+    const auto error = refused_by_header(head, "m");
+    return error ? error->message() : std::string{};
+  };
+  EXPECT_EQ(refused("P5\n# a comment\n30000 20000\n255\n"), "m: the picture is 30000 × 20000 pixels (allowed: 1 to 16384 pixels a side)");
+  EXPECT_EQ(refused("P5\n3 2\n255\n"), "");
+  EXPECT_EQ(refused("P5\n30000 200"), "");  // cut off before the header's end
+  const std::string png = encode_png({3, 2, std::vector<std::uint8_t>(6, 0)});
+  EXPECT_EQ(refused(png.substr(0, 40)), "");
+  EXPECT_NE(refused(png.substr(0, 16) + std::string("\0\1\0\0\0\0\0\2", 8)), "");
+  // What the header shows is all that is read of a file that is too large.
+  put("m.pgm", "P5\n30000 30000\n255\n");
+  put("m.yaml", yaml());
+  const auto large = load_ros_map(folder_ / "m.yaml", false);
+  ASSERT_FALSE(large);
+  EXPECT_NE(large.error().message().find("30000 × 30000"), std::string::npos);
+}
+
+TEST_F(Files, RosHeadersAreReadStrictly) {
+  put("m.pgm", std::string{"P5\n1 1\n255\n"} + "\xff");
+  const auto sentence = [&](const std::string& more) {
+    put("m.yaml", "image: m.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n" + more);
+    const auto loaded = load_ros_map(folder_ / "m.yaml", false);
+    return loaded ? std::string{} : loaded.error().field + ": " + loaded.error().problem + " (" + loaded.error().allowed + ")";
+  };
+  EXPECT_EQ(sentence("negate: true\nfree_thresh: 0.3\noccupied_thresh: 0.3\n"), "");
+  EXPECT_EQ(sentence("resolution: 0.1\n"), "resolution: the field is given twice (each field once)");
+  EXPECT_EQ(sentence("occupied_tresh: 0.9\n"), "occupied_tresh: unknown field (image, resolution, origin, negate, occupied_thresh, free_thresh, mode)");
+  EXPECT_EQ(sentence("negate: 7\n"), "negate: 7 is no truth value (0, 1, true, false)");
+  EXPECT_EQ(sentence("occupied_thresh: 0.1\n"), "occupied_thresh: 0.1 is under free_thresh 0.196 (free_thresh or more)");
+  EXPECT_EQ(sentence("free_thresh: .nan\n"), "free_thresh: \".nan\" is not a number that can be used (a number, 0 to 1)");
+  fs::remove(folder_ / "m.pgm");
+  EXPECT_NE(sentence("").find("image: "), std::string::npos);
+}
+
+TEST_F(Files, PairsOfAMirroredMapAreRefused) {
+  const auto sentence = [&](const char* pairs) {
+    put("m.json", R"({"polygons": {"points": [[0, 0]]}, "align": )" + std::string{pairs} + "}");
+    const auto map = read_map(folder_ / "m.json");
+    return map ? std::string{} : map.error().message();
+  };
+  EXPECT_EQ(sentence("[[[0,0],[5,5]], [[4,0],[9,5]], [[0,3],[5,8.02]]]"), "");
+  EXPECT_NE(sentence("[[[0,0],[5,5]], [[4,0],[9,5]], [[0,3],[5,2]]]").find("mirrored map"), std::string::npos);
+  // Bad pairs that a mirror does not mend either are placed, with their residuals.
+  EXPECT_EQ(sentence("[[[0,0],[5,5]], [[4,0],[9,5]], [[0,3],[6,6]]]"), "");
 }
 
 TEST_F(Files, OverlayAndAlignmentOfMaps) {

@@ -194,6 +194,9 @@ std::vector<Alternative> read_alternatives(const Json& meta) {
 }
 
 void read_result(const Node& node, Plan& plan) {
+  for (const char* field : {"path", "metrics", "certificate"}) {
+    if (const Node value = node.at(field); value.missing()) return value.fail("", "an object, or null where there is no path");
+  }
   const bool path_given = !node.at("path").json().is_null();
   for (const char* field : {"metrics", "certificate"}) {
     const Node value = node.at(field);

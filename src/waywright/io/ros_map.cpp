@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <string_view>
+#include <vector>
 
 #include "waywright/io/files.hpp"
 #include "waywright/io/image.hpp"
@@ -51,19 +54,35 @@ std::optional<std::string> suspicious(const std::string& text) {
   return std::nullopt;
 }
 
+/// The whole file, once its header shows a size that can be used.
+Parsed<std::string> read_picture(const fs::path& path) {
+  constexpr std::size_t header = 4096;  // bytes: comments may come before a PGM's numbers
+  auto head = read_head(path, header);
+  if (!head) return head;
+  if (auto error = refused_by_header(*head, path.string())) return tl::unexpected{*error};
+  return read_file(path, largest_image_file);
+}
+
 class HeaderReader {
  public:
   HeaderReader(const YAML::Node& root, ReadContext& context) : root_{root}, context_{context} {}
 
   Header read() {
     Header header;
+    check_fields();
+    if (context_.error) return header;
     header.image = scalar("image", true);
     header.resolution = number("resolution", true, 0.0);
     if (!(header.resolution > 0.0 && header.resolution <= 1e3)) context_.fail("resolution", fmt::format("{} is out of range", header.resolution), "above 0, at most 1000 m");
     header.origin = origin();
-    header.negate = number("negate", false, 0.0) != 0.0;
+    const double negate = number("negate", false, 0.0);
+    if (negate != 0.0 && negate != 1.0) context_.fail("negate", fmt::format("{} is no truth value", negate), "0, 1, true, false");
+    header.negate = negate != 0.0;
     header.occupied = threshold("occupied_thresh", header.occupied);
     header.free = threshold("free_thresh", header.free);
+    if (header.occupied < header.free) {
+      context_.fail("occupied_thresh", fmt::format("{} is under free_thresh {}", header.occupied, header.free), "free_thresh or more");
+    }
     const std::string mode = root_["mode"] ? scalar("mode", false) : "trinary";
     if (mode == "scale") header.mode = Header::Mode::scale;
     else if (mode == "raw") header.mode = Header::Mode::raw;
@@ -72,14 +91,38 @@ class HeaderReader {
   }
 
  private:
+  static constexpr std::array<const char*, 7> known{"image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode"};
+
+  /// Each field known and given once: a threshold that is misspelt would make obstacles of free space, or the other way round.
+  void check_fields() {
+    std::vector<std::string> seen;
+    std::string all;
+    for (const char* name : known) all += (all.empty() ? "" : ", ") + std::string{name};
+    for (const auto& entry : root_) {
+      const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : std::string{};
+      if (std::find(known.begin(), known.end(), name) == known.end()) return context_.fail(shortened(name), "unknown field", all);
+      if (std::find(seen.begin(), seen.end(), name) != seen.end()) return context_.fail(name, "the field is given twice", "each field once");
+      seen.push_back(name);
+    }
+  }
+
+  /// What is allowed of each field, for messages.
+  static std::string allowed(std::string_view field) {
+    if (field == "image") return "the name of a PGM or PNG file";
+    if (field == "resolution") return "a number above 0, at most 1000, metres a cell";
+    if (field == "negate") return "0, 1, true, false";
+    if (field == "mode") return "trinary, scale, raw";
+    return field.starts_with("origin") ? "a number, -1e9 to 1e9" : "a number, 0 to 1";
+  }
+
   std::string scalar(const char* field, bool needed) {
     const YAML::Node node = root_[field];
     if (!node) {
-      if (needed) context_.fail(field, "the field is missing");
+      if (needed) context_.fail(field, "the field is missing", allowed(field));
       return {};
     }
     if (!node.IsScalar()) {
-      context_.fail(field, "it is not a plain value");
+      context_.fail(field, "it is not a plain value", allowed(field));
       return {};
     }
     return node.Scalar();
@@ -91,7 +134,7 @@ class HeaderReader {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
     if (text.empty() || *end != '\0' || !std::isfinite(value) || std::abs(value) > 1e9) {
-      context_.fail(field, fmt::format("\"{}\" is not a number that can be used", text.substr(0, 40)));
+      context_.fail(field, fmt::format("\"{}\" is not a number that can be used", shortened(text)), allowed(field));
       return 0.0;
     }
     return value;
@@ -188,8 +231,13 @@ Parsed<LoadedGrid> load_ros_map(const fs::path& yaml, bool unknown_is_free) {
   if (context.error) return tl::unexpected{*context.error};
 
   const fs::path image_path = yaml.parent_path() / header.image;  // an absolute image path replaces the folder
-  auto bytes = read_file(image_path, largest_image_file);
-  if (!bytes) return tl::unexpected{bytes.error()};
+  auto bytes = read_picture(image_path);
+  if (!bytes) {
+    // A file that is not there is the yaml's matter; what is wrong inside it is its own.
+    InputError error = bytes.error();
+    if (!fs::is_regular_file(image_path)) error = {yaml.string(), "image", error.file + ": " + error.problem, error.allowed};
+    return tl::unexpected{error};
+  }
   auto image = decode_image(*bytes, image_path.string());
   if (!image) return tl::unexpected{image.error()};
 
@@ -204,7 +252,7 @@ Parsed<LoadedGrid> load_ros_map(const fs::path& yaml, bool unknown_is_free) {
 }
 
 Parsed<LoadedGrid> load_image_map(const fs::path& path, double resolution, const Pose& origin, double occupied_below) {
-  auto bytes = read_file(path, largest_image_file);
+  auto bytes = read_picture(path);
   if (!bytes) return tl::unexpected{bytes.error()};
   auto image = decode_image(*bytes, path.string());
   if (!image) return tl::unexpected{image.error()};

@@ -97,7 +97,7 @@ Mission read_mission(const Node& node, std::vector<std::string>& notes) {
   if (missions != 1) {
     node.context().fail(missions == 0 ? "goal" : given,
                         missions == 0 ? "the mission is missing" : "more than one mission is given",
-                        "exactly one of goal, station, legs");
+                        "exactly one of goal, station");
     return Pose{};
   }
   if (node.has("legs")) {
@@ -141,12 +141,14 @@ BudgetLimits read_budget(const Node& node) {
 }
 
 Vehicle read_vehicle_field(const Node& node, const fs::path& folder, std::vector<std::string>& notes) {
-  if (!node.json().is_string()) return read_vehicle_node(node, notes);
+  if (node.is_object()) return read_vehicle_node(node, notes);
+  if (!node.json().is_string()) node.fail(fmt::format("it is {}", kind_of(node.json())), "a vehicle, or the name of a file that holds one");
+  if (node.failed()) return {};
   const std::string name = node.file_name();
   if (node.failed()) return {};
   auto vehicle = read_vehicle_file(folder / name, name, notes);
   if (vehicle) return *vehicle;
-  node.context().error = vehicle.error();
+  fail_by_file(node, vehicle.error());
   return {};
 }
 
@@ -163,6 +165,7 @@ Json budget_to_json(const BudgetLimits& budget) {
 
 void check_format(const Node& node, const char* what) {
   const std::string wanted = fmt::format("waywright-{}/", what);
+  if (node.is_object() && !node.has("format")) return node.at("format").fail("", wanted + "1");
   const std::string format = node.at("format").text();
   if (node.failed() || format == wanted + "1") return;
   const std::string_view number = std::string_view{format}.substr(std::min(wanted.size(), format.size()));

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "waywright/core/result.hpp"
 #include "waywright/scenario/scenario.hpp"
@@ -16,8 +18,9 @@ Parsed<Scenario> parse_scenario(const std::string& text, const std::string& name
 
 Parsed<Vehicle> read_vehicle(const std::filesystem::path& file);
 
-/// A map alone: scenario.json's `map` object in a file of its own, a ROS yaml or a picture (resolution needed), by extension.
-Parsed<Map> read_map(const std::filesystem::path& file);
+/// A map alone: scenario.json's `map` object in a file of its own, a ROS yaml or a picture (resolution needed), by extension; placed
+/// by pairs of points (on the map, in the world) where such are given.
+Parsed<Map> read_map(const std::filesystem::path& file, const std::vector<std::pair<Vec2, Vec2>>& align = {});
 /// A map.json (polygons and cells inlined), as `map` writes it.
 std::string map_json(const Map& map);
 

@@ -286,7 +286,7 @@ TEST(MapJson, MapsAloneAreReadAndWritten) {
   EXPECT_EQ(sentence("maps/m.pgm"),
             "maps/m.pgm: a picture alone has no scale (allowed: a ROS yaml, or a map.json with image and "
             "resolution)");
-  EXPECT_EQ(sentence("gone.json"), "gone.json: there is no such file");
+  EXPECT_EQ(sentence("gone.json"), "gone.json: there is no such file (allowed: a file that can be read)");
 }
 
 TEST(MapJson, AMillionPointsAreReadInTime) {

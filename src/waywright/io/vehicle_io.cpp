@@ -58,6 +58,7 @@ Json footprint_to_json(const Footprint& footprint) {
 }
 
 Drive read_drive(const Node& node) {
+  if (!node.is_object()) node.fail(fmt::format("it is {}", kind_of(node.json())), "an object whose type is tricycle, differential or mecanum");
   const std::string type = node.at("type").word({"tricycle", "differential", "mecanum"});
   if (node.failed()) return Differential{};
   const auto extent = [&](const char* field) { return node.at(field).number_above(0.0, longest); };

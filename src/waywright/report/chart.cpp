@@ -10,7 +10,7 @@
 namespace waywright {
 namespace {
 
-constexpr double left = 58.0, right = 14.0, top = 26.0, bottom = 30.0;  // px around the plot
+constexpr double left = 58.0, right = 84.0, top = 26.0, bottom = 30.0;  // px around the plot
 
 /// A round step that gives about `count` of them.
 double round_step(double range, double count) {
@@ -37,10 +37,8 @@ std::string chart_svg(const Chart& chart, double width, double height) {
     low = std::min(low, limit.value);
     high = std::max(high, limit.value);
   }
-  if (chart.from_zero) {
-    low = std::min(low, 0.0);
-    high = std::max(high, 0.0);
-  }
+  low = std::min(low, 0.0);
+  high = std::max(high, 0.0);
   if (!(high > low)) high = low + 1.0;
   const double pad = 0.06 * (high - low);
   high += pad;
@@ -72,7 +70,10 @@ std::string chart_svg(const Chart& chart, double width, double height) {
     out += fmt::format("<line class=\"gridline\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/><text class=\"small end\" x=\"{}\" y=\"{}\">{}</text>\n",
                        fixed(left), fixed(y_of(v)), fixed(width - right), fixed(y_of(v)), fixed(left - 6), fixed(y_of(v) + 4), fixed(value, 3));
   }
-  const double s_step = round_step(end, 8.0);
+  for (const double at : chart.stops) {
+    out += fmt::format("<line class=\"axis\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n", fixed(x_of(at)), fixed(top), fixed(top + plot_height));
+  }
+  const double s_step = round_step(end, plot_width / 80.0);
   for (double s = 0.0; s <= end * (1.0 + 1e-9); s += s_step) {
     out += fmt::format("<line class=\"gridline\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/><text class=\"small middle\" x=\"{0}\" y=\"{3}\">{4}</text>\n",
                        fixed(x_of(s)), fixed(top), fixed(top + plot_height), fixed(top + plot_height + 16), fixed(s));
@@ -81,13 +82,15 @@ std::string chart_svg(const Chart& chart, double width, double height) {
   std::string points;
   for (std::size_t i = 0; i < chart.s.size(); ++i) points += fixed(x_of(chart.s[i])) + "," + fixed(y_of(chart.value[i])) + " ";
   out += fmt::format("<polyline class=\"curve\" points=\"{}\"/>\n", points);
-  for (std::size_t i = 0; i < chart.limits.size(); ++i) {
-    const ChartLimit& limit = chart.limits[i];
-    const bool at_end = i % 2 == 0;  // two limits close together keep their names apart
-    out += fmt::format("<line class=\"limit\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/><text class=\"small{}\" x=\"{}\" y=\"{}\">{}</text>\n",
-                       fixed(left), fixed(y_of(limit.value)), fixed(width - right), fixed(y_of(limit.value)), at_end ? " end" : "",
-                       fixed(at_end ? width - right - 4 : left + 4), fixed(y_of(limit.value) + (limit.value < 0.0 ? -4.0 : 12.0)),
-                       escaped(limit.name));
+  std::vector<double> names;  // where names stand: two limits close together keep theirs apart
+  for (const ChartLimit& limit : chart.limits) {
+    double y = y_of(limit.value) + 4.0;
+    for (const double other : names) {
+      if (std::abs(y - other) < 13.0) y = other + (y < other ? -13.0 : 13.0);
+    }
+    names.push_back(y);
+    out += fmt::format("<line class=\"limit\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/><text class=\"small\" x=\"{}\" y=\"{}\">{}</text>\n", fixed(left),
+                       fixed(y_of(limit.value)), fixed(width - right), fixed(y_of(limit.value)), fixed(width - right + 6), fixed(y), escaped(limit.name));
   }
   out += fmt::format("<text class=\"title\" x=\"{}\" y=\"16\">{}</text></svg>\n", fixed(left), escaped(chart.title));
   return out;

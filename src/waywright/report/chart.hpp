@@ -1,7 +1,6 @@
 // Line charts along the path.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +15,8 @@ struct Chart {
   std::string title;  ///< with its unit
   std::vector<double> s, value;
   std::vector<int> direction;      ///< per sample, for the bands
-  std::vector<ChartLimit> limits;  ///< dashed lines
-  bool from_zero = true;           ///< the axis includes 0
+  std::vector<ChartLimit> limits;  ///< dashed lines, named to the right of the plot
+  std::vector<double> stops;       ///< s of marks across the plot
 };
 
 std::string chart_svg(const Chart& chart, double width, double height);

@@ -7,97 +7,17 @@
 #include <cmath>
 
 #include "waywright/geometry/polygon.hpp"
+#include "waywright/report/scene_parts.hpp"
+#include "waywright/report/spots.hpp"
+#include "waywright/report/words.hpp"
 
 namespace waywright {
 namespace {
 
-constexpr double margin = 1.0;          // m around what is shown
-constexpr double sweep_step = 0.03;     // m between the footprints of the swept area
-constexpr double ghost_step = 0.75;     // m between drawn outlines
-constexpr std::size_t most_runs = 40000;  // of cells
-constexpr double legend_height = 78.0;  // px
+constexpr double sweep_step = 0.03;  // m between the footprints of the swept area
+constexpr double ghost_step = 0.75;  // m between drawn outlines
 
 constexpr std::array<const char*, 8> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7a828a", "#b3a100"};
-
-Ring outline_at(const Footprint& footprint, const Pose& pose) {
-  if (!footprint.is_disc()) return transformed(footprint.polygon, Frame{pose});
-  Ring ring;
-  for (int i = 0; i < 36; ++i) ring.push_back(pose.position() + footprint.disc * unit(two_pi * i / 36.0));
-  return ring;
-}
-
-/// What must be seen: start, goal, station, path; the map is cropped to it.
-Box region_of(const Problem& problem, const std::vector<const Plan*>& plans) {
-  const Scenario& scenario = problem.scenario();
-  std::vector<Vec2> points;
-  const auto add = [&](const Ring& ring) { points.insert(points.end(), ring.begin(), ring.end()); };
-  add(outline_at(problem.footprint(), problem.first_pose()));
-  add(outline_at(problem.footprint(), problem.last_pose()));
-  if (const auto* station = std::get_if<Station>(&scenario.mission)) {
-    add(station->area);
-    add(station->shelf.outline());
-  }
-  for (const Plan* plan : plans) {
-    for (std::size_t i = 0; i < plan->samples.size(); i += 10) add(outline_at(problem.footprint(), plan->samples[i].pose()));
-  }
-  Box box = bounding_box(points);
-  // A map that is not much larger is shown whole.
-  if (!scenario.map.boundaries.empty()) {
-    const Box whole = bounding_box(scenario.map.boundaries.front());
-    if (norm(whole.high - whole.low) < 3.0 * norm(box.high - box.low)) {
-      points = {box.low, box.high, whole.low, whole.high};
-      box = bounding_box(points);
-    }
-  }
-  return {box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}};
-}
-
-void draw_cells(SvgWriter& svg, const CellGrid& grid, const Box& region) {
-  // Rows and columns that the region can touch, in the grid's frame.
-  const Frame frame{grid.origin};
-  std::vector<Vec2> local;
-  for (const Vec2 p : rectangle(region.low, region.high)) local.push_back(frame.to_local(p));
-  const Box box = bounding_box(local);
-  const auto clamped = [](double v, int most) { return static_cast<int>(std::clamp(std::floor(v), 0.0, static_cast<double>(most))); };
-  const int c0 = clamped(box.low.x / grid.cell, grid.columns);
-  const int c1 = clamped(box.high.x / grid.cell + 1.0, grid.columns);
-  const int r0 = clamped(grid.rows - box.high.y / grid.cell, grid.rows);
-  const int r1 = clamped(grid.rows - box.low.y / grid.cell + 1.0, grid.rows);
-  for (const std::uint8_t kind : {std::uint8_t{2}, std::uint8_t{1}}) {
-    std::vector<Ring> runs;
-    for (int r = r0; r < r1 && runs.size() < most_runs; ++r) {
-      const auto* row = grid.blocked.data() + static_cast<std::ptrdiff_t>(r) * grid.columns;
-      for (int c = c0; c < c1; ++c) {
-        if (row[c] != kind) continue;
-        const int first = c;
-        while (c < c1 && row[c] == kind) ++c;
-        runs.push_back({grid.corner(first, r + 1), grid.corner(c, r + 1), grid.corner(c, r), grid.corner(first, r)});
-      }
-    }
-    svg.union_of(runs, kind == 1 ? "cell" : "unknown");
-  }
-}
-
-void draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region) {
-  for (const CellGrid& grid : scenario.map.grids) draw_cells(svg, grid, region);
-  for (const Ring& ring : scenario.map.obstacles) svg.polygon(ring, "obstacle");
-  for (const Ring& ring : scenario.map.boundaries) svg.polygon(ring, "boundary");
-  for (const Polyline& line : scenario.map.lines) svg.polyline(line, "wall");
-  for (const Vec2 p : scenario.map.points) {
-    if (region.contains(p)) svg.dot(p, 1.8, "point");
-  }
-  if (const auto* station = std::get_if<Station>(&scenario.mission)) {
-    svg.polygon(station->area, "area");
-    const Ring shelf = station->shelf.outline();
-    svg.polygon(shelf, "shelf");
-    if (station->insertion) {
-      for (const auto& [right, left] : station->insertion->pockets) {
-        svg.polygon(transformed(rectangle({-station->shelf.depth, right}, {0.0, left}), station->shelf.face()), "pocket");
-      }
-    }
-    svg.line(shelf[1], shelf[2], "face");
-  }
-}
 
 void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose, const char* name) {
   svg.polygon(outline_at(footprint, pose), "vehicle");
@@ -149,49 +69,192 @@ void draw_sweep(SvgWriter& svg, const Footprint& footprint, const std::vector<Sa
   for (const Ring& ghost : ghosts) svg.polygon(ghost, "ghost");
 }
 
-double round_length(double metres) {
-  const double power = std::pow(10.0, std::floor(std::log10(metres)));
-  for (const double k : {5.0, 2.0, 1.0}) {
-    if (k * power <= metres) return k * power;
+/// The point of a curve that is farthest from everything else that is drawn, for its name.
+Vec2 calm_point(const std::vector<Vec2>& curve, const std::vector<Vec2>& busy) {
+  Vec2 best = curve[curve.size() / 2];
+  double most = -1.0;
+  for (const Vec2 p : curve) {
+    double nearest = 1e9;
+    for (const Vec2 b : busy) nearest = std::min(nearest, distance(p, b));
+    if (nearest > most) {
+      most = nearest;
+      best = p;
+    }
   }
-  return power;
+  return best;
 }
 
-void draw_scale(SvgWriter& svg, double width, double height) {
-  const double metres = round_length(0.2 * width / svg.view().scale);
-  const double pixels = metres * svg.view().scale;
-  const double y = height + 20.0;
-  svg.raw(fmt::format("<line class=\"bar\" x1=\"12\" y1=\"{0}\" x2=\"{1}\" y2=\"{0}\"/><text class=\"small\" x=\"{2}\" y=\"{3}\">{4} m</text>\n",
-                      fixed(y), fixed(12 + pixels), fixed(18 + pixels), fixed(y + 4), fixed(metres)));
-  svg.raw(fmt::format("<g class=\"heading\"><path d=\"M{0} {1}h24m-5 -3l5 3l-5 3M{0} {1}v-24m-3 5l3 -5l3 5\" fill=\"none\"/></g>"
-                      "<text class=\"small\" x=\"{2}\" y=\"{3}\">x</text><text class=\"small\" x=\"{4}\" y=\"{5}\">y</text>\n",
-                      fixed(width - 50), fixed(height + 34), fixed(width - 22), fixed(height + 38), fixed(width - 62), fixed(height + 14)));
+/// Writes beside a point, on the side that `away` points to (pixels), moved into the map where it would be cut off; `letters` is how wide
+/// the widest line there is at least. Returns the offset from the point.
+Vec2 label_beside(SvgWriter& svg, const Canvas& canvas, Vec2 point, Vec2 away, const std::string& text, double letters, std::string_view style_class) {
+  const double length = norm(away);
+  const Vec2 d = length > 0.0 ? (1.0 / length) * away : Vec2{0.0, 1.0};
+  const double needed = 7.0 * std::max(letters, static_cast<double>(text.size()));
+  const Vec2 at = canvas.view(point);
+  const double x = at.x + 12.0 * d.x - (d.x < -0.3 ? needed : d.x < 0.3 ? 0.5 * needed : 0.0);
+  const double y = at.y + 16.0 * d.y + 5.0;
+  const Vec2 kept{std::clamp(x, left_gutter + 4.0, std::max(left_gutter + 4.0, canvas.width - needed - 4.0)),
+                  std::clamp(y, 16.0, canvas.height - bottom_gutter - 6.0)};
+  svg.label(point, kept - at, text, style_class);
+  return kept - at;
 }
 
-struct LegendEntry {
-  const char* style;
-  const char* shape;  // "line" or "box"
-  const char* text;
+/// The footprint's point nearest to an obstacle's.
+Vec2 point_on(const Footprint& footprint, const Pose& pose, Vec2 obstacle) {
+  if (!footprint.is_disc()) return nearest_in(outline_at(footprint, pose), obstacle);
+  const Vec2 d = obstacle - pose.position();
+  return norm(d) > 0.0 ? pose.position() + std::min(1.0, footprint.disc / norm(d)) * d : pose.position();
+}
+
+class Scene {
+ public:
+  Scene(const Problem& problem, const Plan& plan, double width)
+      : problem_{problem}, plan_{plan}, canvas_{canvas_for(problem, {&plan}, width)}, svg_{canvas_.view} {}
+
+  void draw() {
+    open_map(svg_, canvas_);
+    draw_zones();
+    numbered_ = draw_map(svg_, problem_.scenario(), canvas_.region);
+    draw_sweep(svg_, problem_.footprint(), plan_.samples);
+    draw_alternatives();
+    draw_path(svg_, plan_.samples);
+    draw_stops();
+    draw_vehicle(svg_, problem_.footprint(), problem_.first_pose(), "S");
+    draw_vehicle(svg_, problem_.footprint(), problem_.last_pose(), end_name());
+    draw_blocked();
+    draw_tightest();
+    svg_.close_group();
+    draw_axes(svg_, canvas_);
+    draw_scale(svg_, canvas_);
+  }
+
+  std::vector<LegendEntry> legend() const {
+    using Shape = LegendEntry::Shape;
+    std::vector<LegendEntry> entries;
+    const auto& footprint = problem_.footprint();
+    const bool forks = std::holds_alternative<Station>(problem_.scenario().mission) && !footprint.is_disc();
+    const char* end = problem_.is_driven_back() ? ", E end" : std::holds_alternative<Station>(problem_.scenario().mission) ? ", D docked" : ", G goal";
+    entries.push_back({"", Shape::none, fmt::format("S start{}{}", turns_ ? ", T change of direction" : "", end)});
+    if (!plan_.samples.empty()) {
+      const auto drives = [&](int direction) {
+        return std::any_of(plan_.samples.begin(), plan_.samples.end(), [&](const Sample& s) { return s.direction == direction; });
+      };
+      if (drives(-1)) entries.push_back({"back", Shape::line, forks ? "backwards (chassis first)" : "backwards"});
+      if (drives(1)) entries.push_back({"fwd", Shape::line, forks ? "forwards (forks first)" : "forwards"});
+      entries.push_back({"sweep", Shape::box, "swept by the footprint"});
+    }
+    if (stops_) entries.push_back({"stop", Shape::square, "stop where the curvature jumps"});
+    if (const auto* station = std::get_if<Station>(&problem_.scenario().mission)) {
+      entries.push_back({"shelf", Shape::box, "shelf, loading face bold"});
+      if (station->insertion) entries.push_back({"pocket", Shape::box, "pocket"});
+      entries.push_back({"area", Shape::line, "station"});
+    }
+    if (zones_) entries.push_back({"zone", Shape::box, "where the change of direction was searched"});
+    if (others_) entries.push_back({"alt", Shape::line, plan_.samples.empty() ? "tried in vain, as far as it came" : "the best that was not taken"});
+    if (blocked_) entries.push_back({"hit", Shape::box, "where it touches or comes too near"});
+    if (tight_) entries.push_back({"tightdot", Shape::dot, plan_.certificate.collision_free ? "tightest spot" : "contact"});
+    if (off_straight_) entries.push_back({"spot", Shape::dot, problem_.is_driven_back() ? "tightest after the first straight" : "tightest before the final straight"});
+    if (numbered_) entries.push_back({"", Shape::none, "0, 1, 2 …: obstacles as the text names them"});
+    return entries;
+  }
+
+  const Canvas& canvas() const { return canvas_; }
+  SvgWriter& svg() { return svg_; }
+
+ private:
+  const char* end_name() const { return problem_.is_driven_back() ? "E" : std::holds_alternative<Station>(problem_.scenario().mission) ? "D" : "G"; }
+
+  /// Zones mean something beside a shelf; about a free goal they are half planes that cover the whole map.
+  void draw_zones() {
+    if (!std::holds_alternative<Station>(problem_.scenario().mission)) return;
+    for (const Alternative& a : plan_.alternatives) {
+      if (a.zone.size() < 3) continue;
+      svg_.polygon(a.zone, "zone");
+      zones_ = true;
+    }
+  }
+
+  /// What names should keep away from.
+  std::vector<Vec2> busy_points() const {
+    std::vector<Vec2> busy;
+    for (const Pose& pose : {problem_.first_pose(), problem_.last_pose()}) {
+      const Ring ring = outline_at(problem_.footprint(), pose);
+      busy.insert(busy.end(), ring.begin(), ring.end());
+      busy.push_back(pose.position());
+    }
+    for (std::size_t i = 0; i < plan_.samples.size(); i += 8) busy.push_back(plan_.samples[i].pose().position());
+    if (plan_.certificate.tightest) busy.push_back(plan_.certificate.tightest_point);
+    return busy;
+  }
+
+  void draw_alternatives() {
+    std::vector<Vec2> busy = busy_points();
+    for (const Alternative& a : plan_.alternatives) {
+      if (a.chosen || a.poses.size() < 2) continue;
+      others_ = true;
+      std::vector<Vec2> points;
+      for (const Pose& p : a.poses) points.push_back(p.position());
+      svg_.polyline(points, "alt");
+      const bool side = a.zone.size() >= 3;
+      const std::string text = !a.cost ? a.name + ": no way" : side ? fmt::format("{}: cost {:.3f}", a.name, *a.cost) : fmt::format("{}: {:.2f} m", a.name, *a.cost);
+      const Vec2 at = calm_point(points, busy);
+      label_beside(svg_, canvas_, at, {1.0, 0.0}, text, 0.0, "note");
+      busy.push_back(at);
+    }
+  }
+
+  void draw_stops() {
+    for (std::size_t i = 1; i < plan_.samples.size(); ++i) {
+      if (!is_direction_change(plan_.samples[i - 1], plan_.samples[i])) continue;
+      draw_vehicle(svg_, problem_.footprint(), plan_.samples[i].pose(), "T");
+      turns_ = true;
+    }
+    for (const std::size_t i : steering_stops(plan_)) {
+      svg_.square(plan_.samples[i].pose().position(), 8.0, "stop");
+      stops_ = true;
+    }
+  }
+
+  void draw_blocked() {
+    for (const Spot& spot : blocked_spots(problem_, plan_)) {
+      blocked_ = true;
+      svg_.polygon(outline_at(problem_.footprint(), spot.pose), "hit");
+      svg_.dot(spot.point, 4.5, "tightdot");
+    }
+  }
+
+  void draw_tightest() {
+    const Certificate& c = plan_.certificate;
+    if (plan_.samples.empty() || !c.tightest || is_beyond_measure(c)) return;
+    tight_ = true;
+    const Vec2 on = point_on(problem_.footprint(), *c.tightest, c.tightest_point);
+    const double gap = distance(on, c.tightest_point);
+    blocked_ = !c.collision_free;
+    svg_.polygon(outline_at(problem_.footprint(), *c.tightest), blocked_ ? "hit" : "ghost");
+    svg_.line(on, c.tightest_point, "tight");
+    svg_.dot(c.tightest_point, blocked_ ? 4.5 : 3.5, "tightdot");
+    const Vec2 away{c.tightest_point.x - on.x, on.y - c.tightest_point.y};
+    const Vec2 at = label_beside(svg_, canvas_, c.tightest_point, away, gap > 0.0 ? fmt::format("{:.1f} mm", 1000.0 * gap) : "touches", 20.0, "tighttext name");
+    if (c.collision_free && problem_.pose_error_margin() > 0.0) {
+      const Vec2 below = canvas_.view(c.tightest_point) + at;
+      svg_.raw(fmt::format("<text class=\"tighttext note\" x=\"{}\" y=\"{}\" dy=\"1.2em\">{:.1f} with pose error</text>\n", fixed(below.x), fixed(below.y),
+                           millimetres_down(c.clearance)));
+    }
+    if (const auto spot = c.collision_free ? tightest_off_straight(problem_, plan_) : std::nullopt) {
+      off_straight_ = true;
+      const Vec2 near = point_on(problem_.footprint(), spot->pose, spot->point);
+      svg_.line(near, spot->point, "spotline");
+      svg_.dot(near, 3.5, "spot");
+      label_beside(svg_, canvas_, near, {near.x - spot->point.x, spot->point.y - near.y}, fmt::format("{:.0f} mm", 1000.0 * spot->clearance), 8.0, "note");
+    }
+  }
+
+  const Problem& problem_;
+  const Plan& plan_;
+  Canvas canvas_;
+  SvgWriter svg_;
+  bool zones_ = false, others_ = false, numbered_ = false, turns_ = false, stops_ = false, blocked_ = false, tight_ = false, off_straight_ = false;
 };
-
-void draw_legend(SvgWriter& svg, const std::vector<LegendEntry>& entries, double width, double height) {
-  double x = 12.0;
-  double y = height + 46.0;
-  for (const LegendEntry& e : entries) {
-    const double needed = 36.0 + 6.6 * static_cast<double>(std::string_view{e.text}.size());
-    if (x + needed > width - 12.0) {
-      x = 12.0;
-      y += 20.0;
-    }
-    if (std::string_view{e.shape} == "line") {
-      svg.raw(fmt::format("<line class=\"{}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>", e.style, fixed(x), fixed(y - 4), fixed(x + 22), fixed(y - 4)));
-    } else {
-      svg.raw(fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"22\" height=\"11\"/>", e.style, fixed(x), fixed(y - 10)));
-    }
-    svg.raw(fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">{}</text>\n", fixed(x + 28), fixed(y), e.text));
-    x += needed;
-  }
-}
 
 std::string framed(std::string body, double width, double height, std::string_view title) {
   return fmt::format("<svg class=\"ww\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\">\n"
@@ -199,106 +262,33 @@ std::string framed(std::string body, double width, double height, std::string_vi
                      fixed(width), fixed(height), escaped(title), picture_styles(), body);
 }
 
-struct Canvas {
-  View view;
-  Box region;
-  double width, height;  // px of the map itself
-};
-
-Canvas canvas_for(const Box& region, double width) {
-  const double w = region.high.x - region.low.x;
-  const double h = region.high.y - region.low.y;
-  const double scale = std::min(width / w, 1.1 * width / h);
-  return {{region.low.x, region.high.y, scale}, region, std::max(w * scale, 480.0), h * scale};
-}
-
-void open_map(SvgWriter& svg, const Canvas& canvas) {
-  svg.raw(fmt::format("<defs><clipPath id=\"map\"><rect width=\"{}\" height=\"{}\"/></clipPath></defs>\n", fixed(canvas.width), fixed(canvas.height)));
-  svg.open_group("map", "clip-path=\"url(#map)\"");
-}
-
 }  // namespace
 
 std::string scene_svg(const Problem& problem, const Plan& plan, double width) {
-  const Scenario& scenario = problem.scenario();
-  const Footprint& footprint = problem.footprint();
-  const Canvas canvas = canvas_for(region_of(problem, {&plan}), width);
-  SvgWriter svg{canvas.view};
-  open_map(svg, canvas);
-  bool zones = false;
-  bool others = false;
-  for (const Alternative& a : plan.alternatives) {
-    if (a.zone.size() < 3) continue;
-    svg.polygon(a.zone, "zone");
-    zones = true;
-  }
-  draw_map(svg, scenario, canvas.region);
-  draw_sweep(svg, footprint, plan.samples);
-  for (const Alternative& a : plan.alternatives) {
-    if (a.chosen || a.poses.size() < 2) continue;
-    others = true;
-    std::vector<Vec2> points;
-    for (const Pose& p : a.poses) points.push_back(p.position());
-    svg.polyline(points, "alt");
-    svg.label(points[points.size() / 2], {8.0, 0.0}, a.cost ? fmt::format("{}: {:.3f}", a.name, *a.cost) : a.name + ": not possible", "note");
-  }
-  draw_path(svg, plan.samples);
-  for (std::size_t i = 1; i < plan.samples.size(); ++i) {
-    if (is_direction_change(plan.samples[i - 1], plan.samples[i])) draw_vehicle(svg, footprint, plan.samples[i].pose(), "T");
-  }
-  draw_vehicle(svg, footprint, problem.first_pose(), "S");
-  draw_vehicle(svg, footprint, problem.last_pose(), problem.is_driven_back() ? "E" : "D");
-  const Certificate& c = plan.certificate;
-  const bool tight = !plan.samples.empty() && c.tightest && !c.tightest_obstacle.empty();
-  if (tight) {
-    // From the obstacle's point to the footprint's nearest point.
-    Vec2 on = c.tightest->position();
-    if (footprint.is_disc()) {
-      const Vec2 d = c.tightest_point - on;
-      if (norm(d) > 0.0) on = on + (footprint.disc / norm(d)) * d;
-    } else {
-      on = nearest_in(outline_at(footprint, *c.tightest), c.tightest_point);
-    }
-    svg.polygon(outline_at(footprint, *c.tightest), "ghost");
-    svg.line(on, c.tightest_point, "tight");
-    svg.dot(c.tightest_point, 3.5, "tightdot");
-    // Beyond the obstacle's point, away from the vehicle and its name.
-    const Vec2 away = c.tightest_point - on;
-    const double length = norm(away);
-    const Vec2 direction = length > 0.0 ? Vec2{away.x / length, -away.y / length} : Vec2{0.0, 1.0};
-    const Vec2 offset{12.0 * direction.x - (direction.x < -0.3 ? 52.0 : direction.x < 0.3 ? 24.0 : 0.0), 14.0 * direction.y + 5.0};
-    svg.label(c.tightest_point, offset, fmt::format("{:.0f} mm", 1000.0 * length), "tighttext name");
-  }
-  svg.close_group();
-  draw_scale(svg, canvas.width, canvas.height);
-  std::vector<LegendEntry> legend;
-  if (!plan.samples.empty()) {
-    legend.push_back({"back", "line", "backwards (chassis first)"});
-    legend.push_back({"fwd", "line", "forwards (forks first)"});
-    legend.push_back({"sweep", "box", "swept by the footprint"});
-  }
-  if (std::holds_alternative<Station>(scenario.mission)) {
-    legend.push_back({"shelf", "box", "shelf, loading face bold"});
-    if (std::get<Station>(scenario.mission).insertion) legend.push_back({"pocket", "box", "pocket"});
-    legend.push_back({"area", "line", "station"});
-  }
-  if (zones) legend.push_back({"zone", "box", "candidate sides"});
-  if (others) legend.push_back({"alt", "line", "best on the other side"});
-  if (tight) legend.push_back({"tight", "line", "tightest spot"});
-  draw_legend(svg, legend, canvas.width, canvas.height);
-  return framed(svg.take(), canvas.width, canvas.height + legend_height, scenario.name);
+  Scene scene{problem, plan, width};
+  scene.draw();
+  const double whole = std::max(scene.canvas().width, 480.0);
+  const double end = draw_legend(scene.svg(), scene.legend(), whole, scene.canvas().height + 40.0);
+  return framed(scene.svg().take(), whole, end + 14.0, problem.scenario().name);
+}
+
+std::string scene_html(const Problem& problem, const Plan& plan, double width) {
+  Scene scene{problem, plan, width};
+  scene.draw();
+  return "<div class=\"scene\">\n" + framed(scene.svg().take(), std::max(scene.canvas().width, 320.0), scene.canvas().height + 26.0, problem.scenario().name) +
+         legend_html(scene.legend()) + "</div>\n";
 }
 
 std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std::string, const Plan*>>& plans, double width) {
   std::vector<const Plan*> all;
   for (const auto& [name, plan] : plans) all.push_back(plan);
   const Scenario& scenario = problem.scenario();
-  const Canvas canvas = canvas_for(region_of(problem, all), width);
+  const Canvas canvas = canvas_for(problem, all, width);
   SvgWriter svg{canvas.view};
   open_map(svg, canvas);
   draw_map(svg, scenario, canvas.region);
   std::string legend;
-  double y = canvas.height + 46.0;
+  double y = canvas.height + 40.0;
   for (std::size_t i = 0; i < plans.size(); ++i) {
     const auto& [name, plan] = plans[i];
     const char* colour = palette[i % palette.size()];
@@ -312,11 +302,12 @@ std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std:
     y += 18.0;
   }
   draw_vehicle(svg, problem.footprint(), problem.first_pose(), "S");
-  draw_vehicle(svg, problem.footprint(), problem.last_pose(), problem.is_driven_back() ? "E" : "D");
+  draw_vehicle(svg, problem.footprint(), problem.last_pose(), problem.is_driven_back() ? "E" : std::holds_alternative<Station>(scenario.mission) ? "D" : "G");
   svg.close_group();
-  draw_scale(svg, canvas.width, canvas.height);
+  draw_axes(svg, canvas);
+  draw_scale(svg, canvas);
   svg.raw(legend);
-  return framed(svg.take(), canvas.width, y + 6.0, scenario.name);
+  return framed(svg.take(), std::max(canvas.width, 480.0), y + 6.0, scenario.name);
 }
 
 }  // namespace waywright

@@ -70,6 +70,11 @@ void SvgWriter::dot(Vec2 p, double pixels, std::string_view style_class) {
   out_ += fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", style_class, fixed(q.x), fixed(q.y), fixed(pixels));
 }
 
+void SvgWriter::square(Vec2 middle, double pixels, std::string_view style_class) {
+  const Vec2 q = view_(middle) - Vec2{0.5 * pixels, 0.5 * pixels};
+  out_ += fmt::format("<rect class=\"{0}\" x=\"{1}\" y=\"{2}\" width=\"{3}\" height=\"{3}\"/>\n", style_class, fixed(q.x), fixed(q.y), fixed(pixels));
+}
+
 void SvgWriter::union_of(const std::vector<std::vector<Vec2>>& rings, std::string_view style_class) {
   if (rings.empty()) return;
   out_ += fmt::format("<path class=\"{}\" d=\"", style_class);
@@ -115,9 +120,13 @@ constexpr std::string_view rules = R"(
 .ww .fwd{fill:none;stroke:var(--fwd);stroke-width:3}.ww .back{fill:none;stroke:var(--back);stroke-width:3}
 .ww .turn{fill:none;stroke:var(--shelf);stroke-width:4}.ww .fwdmark{fill:var(--fwd)}.ww .backmark{fill:var(--back)}
 .ww .alt{fill:none;stroke:var(--alt);stroke-width:1.6;stroke-dasharray:6 4}.ww .tight{stroke:var(--bad);stroke-width:2.5}
-.ww .tightdot{fill:var(--bad)}.ww .tighttext{fill:var(--bad);font-size:13px;font-weight:600}
+.ww .tightdot{fill:var(--bad)}.ww .hit{fill:var(--bad);fill-opacity:.14;stroke:var(--bad);stroke-width:1.4}
+.ww .spot{fill:var(--paper);stroke:var(--bad);stroke-width:2}.ww .spotline{stroke:var(--bad);stroke-width:1.2;stroke-dasharray:4 3}
+.ww .stop{fill:var(--paper);stroke:var(--ink);stroke-width:1.8}.ww .frame{fill:none;stroke:var(--grid);stroke-width:1}
+.ww .number{font-size:11px;font-weight:600;text-anchor:middle}
+.ww .tighttext{fill:var(--bad);font-size:13px;font-weight:600}
 .ww .name{font-size:15px;font-weight:700;paint-order:stroke;stroke:var(--paper);stroke-width:4px}
-.ww .small{font-size:12px;fill:var(--soft)}.ww .note{font-size:12px;paint-order:stroke;stroke:var(--paper);stroke-width:3px;fill:var(--soft)}
+.ww .tighttext.note{fill:var(--bad);font-size:12px}.ww .small{font-size:12px;fill:var(--soft)}.ww .note{font-size:12px;paint-order:stroke;stroke:var(--paper);stroke-width:3px;fill:var(--soft)}
 .ww .bar{stroke:var(--ink);stroke-width:2}.ww .axis{stroke:var(--soft);stroke-width:1}.ww .gridline{stroke:var(--grid);stroke-width:1}
 .ww .curve{fill:none;stroke:var(--ink);stroke-width:1.8}.ww .limit{stroke:var(--bad);stroke-width:1.4;stroke-dasharray:6 4}
 .ww .bandback{fill:var(--back);fill-opacity:.09}.ww .bandfwd{fill:var(--fwd);fill-opacity:.09}

@@ -34,6 +34,7 @@ class SvgWriter {
   void coloured_polyline(const std::vector<Vec2>& points, std::string_view colour);
   void line(Vec2 a, Vec2 b, std::string_view style_class);
   void dot(Vec2 p, double pixels, std::string_view style_class);
+  void square(Vec2 middle, double pixels, std::string_view style_class);
   /// Many rings as one shape, filled as their union where all turn the same way.
   void union_of(const std::vector<std::vector<Vec2>>& rings, std::string_view style_class);
   /// Text whose reference point is `offset` pixels from a world point.

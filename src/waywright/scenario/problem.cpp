@@ -53,20 +53,6 @@ std::variant<Footprint, InputError> carried_footprint(const Scenario& scenario) 
 
 std::optional<InputError> check_station(const Scenario& scenario, const Station& station) {
   const Shelf& shelf = station.shelf;
-  for (const Vec2 corner : shelf.outline()) {
-    const Vec2 inside = nearest_in(station.area, corner);
-    if (distance(inside, corner) <= 1e-9 * (1.0 + norm(corner))) continue;
-    return refuse("station.shelf",
-                  fmt::format("the shelf's corner at ({:.3f}, {:.3f}) is {:.3f} m outside the station's area", corner.x,
-                              corner.y, distance(inside, corner)),
-                  "a shelf that lies inside station.area");
-  }
-  if (shelf.gap < scenario.clearance) {
-    return refuse("station.shelf.gap",
-                  fmt::format("{} m is under the clearance of {} m that the footprint must keep", shelf.gap,
-                              scenario.clearance),
-                  "a gap of at least the clearance");
-  }
   const double station_width = least_width(station.area);
   const double vehicle_width = scenario.vehicle.footprint.least_width();
   if (station_width <= vehicle_width) {
@@ -74,6 +60,21 @@ std::optional<InputError> check_station(const Scenario& scenario, const Station&
                   fmt::format("the station is {:.3f} m wide at its narrowest and the vehicle's least width is {:.3f} m",
                               station_width, vehicle_width),
                   "a station that the vehicle fits into");
+  }
+  const Box box = bounding_box(station.area);
+  for (const Vec2 corner : shelf.outline()) {
+    const Vec2 inside = nearest_in(station.area, corner);
+    if (distance(inside, corner) <= 1e-9 * (1.0 + norm(corner))) continue;
+    return refuse("station.shelf",
+                  fmt::format("the shelf's corner at ({:.3f}, {:.3f}) is {:.3f} m outside the station's area, which is {:.2f} × {:.2f} m", corner.x,
+                              corner.y, distance(inside, corner), box.high.x - box.low.x, box.high.y - box.low.y),
+                  "a shelf that lies inside station.area");
+  }
+  if (shelf.gap < scenario.clearance) {
+    return refuse("station.shelf.gap",
+                  fmt::format("{} m is under the clearance of {} m that the footprint must keep", shelf.gap,
+                              scenario.clearance),
+                  "a gap of at least the clearance");
   }
   return std::nullopt;
 }

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <tuple>
 
 #include "waywright/core/budget.hpp"
 #include "waywright/judge/import.hpp"
@@ -19,6 +20,8 @@ Plan run_one(const Problem& problem, const Contestant& contestant, std::uint64_t
   if (options.budget.evaluations) scenario.budget.evaluations = options.budget.evaluations;
   if (options.budget.samples) scenario.budget.samples = options.budget.samples;
   if (options.budget.seconds) scenario.budget.seconds = options.budget.seconds;
+  const BudgetLimits& limits = scenario.budget;
+  if (!limits.evaluations && !limits.samples && !limits.seconds) scenario.budget.evaluations = options.default_evaluations;
   scenario.planner = {contestant.planner, contestant.parameters};
   auto prepared = Problem::prepare(std::move(scenario));
   if (!prepared) return failed_plan(problem, {Status::no_path, prepared.error().message(), {}, {}});
@@ -33,9 +36,9 @@ Plan run_one(const Problem& problem, const Contestant& contestant, std::uint64_t
 std::vector<Run> compare(const std::vector<Problem>& problems, const std::vector<Contestant>& contestants,
                          const CompareOptions& options) {
   std::vector<Run> all;
-  for (std::size_t p = 0; p < problems.size(); ++p) {
-    for (std::size_t c = 0; c < contestants.size(); ++c) {
-      for (int k = 0; k < options.runs; ++k) {
+  for (int k = 0; k < options.runs; ++k) {
+    for (std::size_t p = 0; p < problems.size(); ++p) {
+      for (std::size_t c = 0; c < contestants.size(); ++c) {
         all.push_back({p, c, problems[p].scenario().seed + static_cast<std::uint64_t>(k), {}});
       }
     }
@@ -67,6 +70,7 @@ std::vector<Run> compare(const std::vector<Problem>& problems, const std::vector
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (finished[i] != 0) kept.push_back(std::move(all[i]));
   }
+  std::stable_sort(kept.begin(), kept.end(), [](const Run& a, const Run& b) { return std::tie(a.scenario, a.contestant) < std::tie(b.scenario, b.contestant); });
   return kept;
 }
 

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,12 +32,14 @@ struct Run {
 struct CompareOptions {
   int runs = 1;                                    ///< seeds base, base+1, …
   unsigned threads = 0;                            ///< 0: all cores
-  BudgetLimits budget;                             ///< the same for all
+  BudgetLimits budget;  ///< the same for all; an absent field is the scenario's
+  std::optional<std::int64_t> default_evaluations;  ///< for all where neither names a budget
   std::function<void(std::size_t, std::size_t)> progress;  ///< done, total
   const std::atomic<bool>* cancel = nullptr;
 };
 
-/// Runs in a fixed order whatever the number of threads; what was canceled is left out.
+/// The work goes round by seed, so that what is finished when it is cut short can be compared. The runs come back by scenario,
+/// contestant and seed whatever the number of threads; what was canceled is left out.
 std::vector<Run> compare(const std::vector<Problem>& problems, const std::vector<Contestant>& contestants,
                          const CompareOptions& options);
 

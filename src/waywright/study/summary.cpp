@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace waywright {
 namespace {
@@ -12,6 +13,39 @@ std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
   return out + "\"";
+}
+
+constexpr std::size_t longest_reason = 180;  // bytes that the table shows
+
+/// The same answer bit for bit; the time it took may differ.
+bool is_same_answer(const Plan& a, const Plan& b) {
+  const auto row = [](const Sample& s) { return std::tie(s.s, s.x, s.y, s.heading, s.curvature, s.direction, s.t, s.speed); };
+  return a.status == b.status && a.reason == b.reason && a.effort.evaluations == b.effort.evaluations &&
+         std::equal(a.samples.begin(), a.samples.end(), b.samples.begin(), b.samples.end(),
+                    [&](const Sample& p, const Sample& q) { return row(p) == row(q); });
+}
+
+void count_failure(std::vector<Summary::Failures>& failures, const Run& run) {
+  const auto known = std::find_if(failures.begin(), failures.end(), [&](const auto& f) { return f.status == run.plan.status; });
+  if (known == failures.end()) failures.push_back({run.plan.status, 1, run.seed, run.plan.reason});
+  else ++known->count;
+}
+
+/// Cut at a word.
+std::string cut(const std::string& text) {
+  if (text.size() <= longest_reason) return text;
+  return text.substr(0, text.rfind(' ', longest_reason)) + " …";
+}
+
+/// A figure, or a dash where there is nothing to measure.
+std::string figure(bool any, double value, int digits) { return any ? fmt::format("{:.{}f}", value, digits) : "–"; }
+
+/// "  4/5    0.38–0.96", one run "1/1", none a dash.
+std::string solved_words(const Summary& s) {
+  if (s.solved.all == 0) return "–";
+  const std::string share = fmt::format("{}/{}", s.solved.hits, s.solved.all);
+  if (s.all_alike) return share + " all alike";
+  return s.solved.all == 1 ? share : fmt::format("{} {:.2f}–{:.2f}", share, s.solved.low, s.solved.high);
 }
 
 }  // namespace
@@ -49,13 +83,18 @@ std::vector<Summary> summarise(const std::vector<Run>& runs, std::size_t scenari
       summary.scenario = p;
       summary.contestant = c;
       std::size_t all = 0, solved = 0;
+      const Run* first = nullptr;
+      bool alike = true;
       std::vector<double> length, clearance, change, time, evaluations, seconds;
       for (const Run& run : runs) {
         if (run.scenario != p || run.contestant != c) continue;
         ++all;
+        if (first == nullptr) first = &run;
+        alike = alike && is_same_answer(first->plan, run.plan);
         evaluations.push_back(static_cast<double>(run.plan.effort.evaluations));
         seconds.push_back(run.plan.timing.plan);
         if (run.plan.status == Status::solved) ++solved;
+        else count_failure(summary.failures, run);
         if (run.plan.samples.empty()) continue;
         if (run.plan.status != Status::solved) ++summary.unproven;
         length.push_back(run.plan.metrics.length);
@@ -64,6 +103,8 @@ std::vector<Summary> summarise(const std::vector<Run>& runs, std::size_t scenari
         time.push_back(run.plan.metrics.travel_time);
       }
       summary.solved = share_of(solved, all);
+      summary.paths = length.size();
+      summary.all_alike = all > 1 && alike;
       summary.length = spread_of(length);
       summary.clearance = spread_of(clearance);
       summary.curvature_change = spread_of(change);
@@ -81,17 +122,25 @@ std::string summary_text(const std::vector<Summary>& summaries, const std::vecto
   std::size_t wide = 10;
   for (const Contestant& c : contestants) wide = std::max(wide, c.label.size());
   std::string out;
-  std::size_t last = scenarios.size();
-  for (const Summary& s : summaries) {
-    if (s.scenario != last) {
-      last = s.scenario;
-      out += fmt::format("{}{}\n  {:<{}}  {:>18}  {:>8}  {:>22}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}\n", out.empty() ? "" : "\n", scenarios[s.scenario], "planner",
-                         wide, "solved (95 %)", "unproven", "length m [quartiles]", "clear. m", "Σ|Δκ|", "time s", "evals", "plan ms");
+  for (std::size_t p = 0; p < scenarios.size(); ++p) {
+    out += fmt::format("{}{}\n  {:<{}}  {:>19}  {:>8}  {:>22}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}\n", out.empty() ? "" : "\n", scenarios[p], "planner",
+                       wide, "solved (95 %)", "unproven", "length m [quartiles]", "clear. m", "Σ|Δκ|", "time s", "evals", "plan ms");
+    std::string below;
+    for (const Summary& s : summaries) {
+      if (s.scenario != p) continue;
+      const std::string& label = contestants[s.contestant].label;
+      const bool ran = s.solved.all > 0;
+      const bool any = s.paths > 0;
+      const std::string length = any ? fmt::format("{:>7.3f} [{:>5.2f}–{:>6.2f}]", s.length.median, s.length.low_quartile, s.length.high_quartile) : "–";
+      out += fmt::format("  {:<{}}  {:>19}  {:>8}  {:>22}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}\n", label, wide, solved_words(s),
+                         ran ? std::to_string(s.unproven) : "–", length, figure(any, s.clearance.median, 4), figure(any, s.curvature_change.median, 3),
+                         figure(any, s.travel_time.median, 2), figure(ran && contestants[s.contestant].command.empty(), s.evaluations.median, 0), figure(ran, 1000.0 * s.seconds.median, 2));
+      if (s.all_alike) below += fmt::format("  {}: its {} runs are the same to the last bit; the seed changes nothing, and they count as one\n", label, s.solved.all);
+      for (const Summary::Failures& f : s.failures) {
+        below += fmt::format("  {}: {} × {}{}: {}\n", label, f.count, to_string(f.status), f.count > 1 ? fmt::format(", with seed {}", f.seed) : "", cut(f.reason));
+      }
     }
-    out += fmt::format("  {:<{}}  {:>4}/{:<4} {:.2f}–{:.2f}  {:>8}  {:>7.3f} [{:>5.2f}–{:>6.2f}]  {:>9.4f}  {:>8.3f}  {:>7.2f}  {:>7.0f}  {:>9.2f}\n",
-                       contestants[s.contestant].label, wide, s.solved.hits, s.solved.all, s.solved.low, s.solved.high, s.unproven, s.length.median,
-                       s.length.low_quartile, s.length.high_quartile, s.clearance.median, s.curvature_change.median, s.travel_time.median,
-                       s.evaluations.median, 1000.0 * s.seconds.median);
+    out += below;
   }
   return out;
 }

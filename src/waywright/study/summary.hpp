@@ -1,6 +1,7 @@
 // What many runs came to.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,11 +26,20 @@ struct Summary {
   std::size_t scenario = 0, contestant = 0;
   Share solved;
   std::size_t unproven = 0;  ///< runs with a path that could not be proven
+  std::size_t paths = 0;     ///< runs with a path, proven or not
+  bool all_alike = false;    ///< several runs, the same to the last bit: the seed changes nothing, and they count as one
+  struct Failures {
+    Status status = Status::no_path;
+    std::size_t count = 0;
+    std::uint64_t seed = 0;  ///< of the first
+    std::string reason;      ///< of the first
+  };
+  std::vector<Failures> failures;  ///< what was not solved, by status, in the order in which they came
   Spread length, clearance, curvature_change, travel_time, evaluations, seconds;  ///< paths found, proven or not; effort of all
 };
 std::vector<Summary> summarise(const std::vector<Run>& runs, std::size_t scenarios, std::size_t contestants);
 
-/// Aligned for a terminal.
+/// Aligned for a terminal; figures of no path or no run are dashes, and what was not solved has its reasons below.
 std::string summary_text(const std::vector<Summary>& summaries, const std::vector<std::string>& scenarios,
                          const std::vector<Contestant>& contestants);
 /// One line a run, every metric.

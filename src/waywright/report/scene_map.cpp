@@ -1,0 +1,170 @@
+// The map of the picture, and the frame around it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "waywright/geometry/polygon.hpp"
+#include "waywright/report/scene_parts.hpp"
+
+namespace waywright {
+namespace {
+
+constexpr double margin = 1.0;            // m around what is shown
+constexpr std::size_t most_runs = 40000;  // of cells
+constexpr std::size_t most_numbers = 60;  // of obstacles and lines: more would hide the map
+
+/// What must be seen: start, goal, station, path; the map is cropped to it.
+Box region_of(const Problem& problem, const std::vector<const Plan*>& plans) {
+  const Scenario& scenario = problem.scenario();
+  std::vector<Vec2> points;
+  const auto add = [&](const Ring& ring) { points.insert(points.end(), ring.begin(), ring.end()); };
+  add(outline_at(problem.footprint(), problem.first_pose()));
+  add(outline_at(problem.footprint(), problem.last_pose()));
+  if (const auto* station = std::get_if<Station>(&scenario.mission)) {
+    add(station->area);
+    add(station->shelf.outline());
+  }
+  for (const Plan* plan : plans) {
+    for (std::size_t i = 0; i < plan->samples.size(); i += 10) add(outline_at(problem.footprint(), plan->samples[i].pose()));
+  }
+  Box box = bounding_box(points);
+  // A map that is not much larger is shown whole.
+  if (!scenario.map.boundaries.empty()) {
+    const Box whole = bounding_box(scenario.map.boundaries.front());
+    if (norm(whole.high - whole.low) < 3.0 * norm(box.high - box.low)) {
+      points = {box.low, box.high, whole.low, whole.high};
+      box = bounding_box(points);
+    }
+  }
+  return {box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}};
+}
+
+void draw_cells(SvgWriter& svg, const CellGrid& grid, const Box& region) {
+  // Rows and columns that the region can touch, in the grid's frame.
+  const Frame frame{grid.origin};
+  std::vector<Vec2> local;
+  for (const Vec2 p : rectangle(region.low, region.high)) local.push_back(frame.to_local(p));
+  const Box box = bounding_box(local);
+  const auto clamped = [](double v, int most) { return static_cast<int>(std::clamp(std::floor(v), 0.0, static_cast<double>(most))); };
+  const int c0 = clamped(box.low.x / grid.cell, grid.columns);
+  const int c1 = clamped(box.high.x / grid.cell + 1.0, grid.columns);
+  const int r0 = clamped(grid.rows - box.high.y / grid.cell, grid.rows);
+  const int r1 = clamped(grid.rows - box.low.y / grid.cell + 1.0, grid.rows);
+  for (const std::uint8_t kind : {std::uint8_t{2}, std::uint8_t{1}}) {
+    std::vector<Ring> runs;
+    for (int r = r0; r < r1 && runs.size() < most_runs; ++r) {
+      const auto* row = grid.blocked.data() + static_cast<std::ptrdiff_t>(r) * grid.columns;
+      for (int c = c0; c < c1; ++c) {
+        if (row[c] != kind) continue;
+        const int first = c;
+        while (c < c1 && row[c] == kind) ++c;
+        runs.push_back({grid.corner(first, r + 1), grid.corner(c, r + 1), grid.corner(c, r), grid.corner(first, r)});
+      }
+    }
+    svg.union_of(runs, kind == 1 ? "cell" : "unknown");
+  }
+}
+
+/// 1, 2 or 5 times a power of ten, at most `metres`.
+double round_length(double metres) {
+  const double power = std::pow(10.0, std::floor(std::log10(metres)));
+  for (const double k : {5.0, 2.0, 1.0}) {
+    if (k * power <= metres) return k * power;
+  }
+  return power;
+}
+
+/// Where a ring's number stands: the middle of its box.
+Vec2 middle_of(const std::vector<Vec2>& points) {
+  const Box box = bounding_box(points);
+  return 0.5 * (box.low + box.high);
+}
+
+bool draw_numbers(SvgWriter& svg, const Map& map, const Box& region) {
+  if (map.obstacles.size() + map.lines.size() > most_numbers) return false;
+  bool any = false;
+  const auto number = [&](const std::vector<Vec2>& points, Vec2 at, Vec2 offset, const std::string& text) {
+    if (points.empty() || !region.contains(at)) return;
+    svg.label(at, offset, text, "number");
+    any = true;
+  };
+  for (std::size_t i = 0; i < map.obstacles.size(); ++i) number(map.obstacles[i], middle_of(map.obstacles[i]), {0.0, 4.0}, fmt::format("{}", i));
+  for (std::size_t i = 0; i < map.lines.size(); ++i) number(map.lines[i], middle_of(map.lines[i]), {22.0, 4.0}, fmt::format("line {}", i));
+  return any;
+}
+
+}  // namespace
+
+Ring outline_at(const Footprint& footprint, const Pose& pose) {
+  if (!footprint.is_disc()) return transformed(footprint.polygon, Frame{pose});
+  Ring ring;
+  for (int i = 0; i < 36; ++i) ring.push_back(pose.position() + footprint.disc * unit(two_pi * i / 36.0));
+  return ring;
+}
+
+Canvas canvas_for(const Problem& problem, const std::vector<const Plan*>& plans, double width) {
+  const Box region = region_of(problem, plans);
+  const double w = region.high.x - region.low.x;
+  const double h = region.high.y - region.low.y;
+  const double scale = std::min((width - left_gutter) / w, 1.1 * width / h);
+  return {{region.low.x - left_gutter / scale, region.high.y, scale}, region, left_gutter + w * scale, h * scale + bottom_gutter};
+}
+
+void open_map(SvgWriter& svg, const Canvas& canvas) {
+  svg.raw(fmt::format("<defs><clipPath id=\"map\"><rect x=\"{}\" width=\"{}\" height=\"{}\"/></clipPath></defs>\n", fixed(left_gutter),
+                      fixed(canvas.width - left_gutter), fixed(canvas.height - bottom_gutter)));
+  svg.open_group("map", "clip-path=\"url(#map)\"");
+}
+
+bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region) {
+  for (const CellGrid& grid : scenario.map.grids) draw_cells(svg, grid, region);
+  for (const Ring& ring : scenario.map.obstacles) svg.polygon(ring, "obstacle");
+  for (const Ring& ring : scenario.map.boundaries) svg.polygon(ring, "boundary");
+  for (const Polyline& line : scenario.map.lines) svg.polyline(line, "wall");
+  for (const Vec2 p : scenario.map.points) {
+    if (region.contains(p)) svg.dot(p, 1.8, "point");
+  }
+  if (const auto* station = std::get_if<Station>(&scenario.mission)) {
+    svg.polygon(station->area, "area");
+    const Ring shelf = station->shelf.outline();
+    svg.polygon(shelf, "shelf");
+    if (station->insertion) {
+      for (const auto& [right, left] : station->insertion->pockets) {
+        svg.polygon(transformed(rectangle({-station->shelf.depth, right}, {0.0, left}), station->shelf.face()), "pocket");
+      }
+    }
+    svg.line(shelf[1], shelf[2], "face");
+  }
+  return draw_numbers(svg, scenario.map, region);
+}
+
+void draw_axes(SvgWriter& svg, const Canvas& canvas) {
+  const double step = 2.0 * round_length(60.0 / canvas.view.scale);
+  const double bottom = canvas.height - bottom_gutter;
+  svg.raw(fmt::format("<rect class=\"frame\" x=\"{}\" y=\"0.5\" width=\"{}\" height=\"{}\"/>\n", fixed(left_gutter), fixed(canvas.width - left_gutter - 0.5),
+                      fixed(bottom - 0.5)));
+  const auto first = [&](double low) { return std::ceil(low / step) * step; };
+  for (double x = first(canvas.region.low.x); x <= canvas.region.high.x; x += step) {
+    const double at = canvas.view({x, 0.0}).x;
+    if (at < left_gutter + 8.0 || at > canvas.width - 12.0) continue;
+    svg.raw(fmt::format("<line class=\"axis\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/><text class=\"small middle\" x=\"{0}\" y=\"{3}\">{4}</text>\n", fixed(at),
+                        fixed(bottom), fixed(bottom - 6), fixed(bottom + 15), fixed(x, 3)));
+  }
+  for (double y = first(canvas.region.low.y); y <= canvas.region.high.y; y += step) {
+    const double at = canvas.view({0.0, y}).y;
+    if (at < 8.0 || at > bottom - 4.0) continue;  // the number would be cut off, or stand on the other axis
+    svg.raw(fmt::format("<line class=\"axis\" x1=\"{1}\" y1=\"{0}\" x2=\"{2}\" y2=\"{0}\"/><text class=\"small end\" x=\"{3}\" y=\"{4}\">{5}</text>\n", fixed(at),
+                        fixed(left_gutter), fixed(left_gutter + 6), fixed(left_gutter - 5), fixed(at + 4), fixed(y, 3)));
+  }
+}
+
+void draw_scale(SvgWriter& svg, const Canvas& canvas) {
+  const double metres = round_length(0.2 * canvas.width / canvas.view.scale);
+  const double pixels = metres * canvas.view.scale;
+  const double y = canvas.height + 14.0;
+  svg.raw(fmt::format("<line class=\"bar\" x1=\"{0}\" y1=\"{1}\" x2=\"{2}\" y2=\"{1}\"/><text class=\"small\" x=\"{3}\" y=\"{4}\">{5} m; coordinates in m, x right, y up</text>\n",
+                      fixed(left_gutter), fixed(y), fixed(left_gutter + pixels), fixed(left_gutter + pixels + 8), fixed(y + 4), fixed(metres)));
+}
+
+}  // namespace waywright

@@ -1,0 +1,46 @@
+// Pieces of the picture: what the map shows, what is drawn on it, what is written beside it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "waywright/judge/plan.hpp"
+#include "waywright/report/svg_writer.hpp"
+#include "waywright/scenario/problem.hpp"
+
+namespace waywright {
+
+inline constexpr double left_gutter = 40.0;    ///< px, of the coordinates beside the map
+inline constexpr double bottom_gutter = 20.0;  ///< px, of those below it
+
+/// Where the map lies in the picture.
+struct Canvas {
+  View view;
+  Box region;
+  double width = 0.0, height = 0.0;  ///< px, gutters included
+};
+
+/// What must be seen (start, goal, station, paths) scaled to about `width` pixels.
+Canvas canvas_for(const Problem& problem, const std::vector<const Plan*>& plans, double width);
+
+/// The footprint's outline in the world; a disc as 36 corners.
+Ring outline_at(const Footprint& footprint, const Pose& pose);
+
+void open_map(SvgWriter& svg, const Canvas& canvas);
+/// Map and station; obstacles and lines with the numbers by which sentences name them. Returns whether there are numbers.
+bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region);
+/// Ticks with world coordinates along the left and lower edge.
+void draw_axes(SvgWriter& svg, const Canvas& canvas);
+void draw_scale(SvgWriter& svg, const Canvas& canvas);
+
+struct LegendEntry {
+  const char* style;
+  enum class Shape { line, box, dot, square, none } shape;
+  std::string text;
+};
+/// Lines of entries from y on; returns where they end.
+double draw_legend(SvgWriter& svg, const std::vector<LegendEntry>& entries, double width, double y);
+/// The same as a list beside the picture, whose text keeps its size where the picture shrinks.
+std::string legend_html(const std::vector<LegendEntry>& entries);
+
+}  // namespace waywright
