@@ -66,6 +66,11 @@ Plan judge(const Problem& problem, Path path) {
 
   const Vehicle& vehicle = problem.vehicle();
   plan.samples = sample(plan.path, problem.footprint().radius(), proof.certificate.tolerance);
+  if (plan.samples.empty()) {
+    if (plan.status == Status::solved) plan.reason = "the path is too long to be sampled: more than 4 million samples";
+    plan.status = Status::unproven;
+    return plan;
+  }
   assign_speed(plan.samples, vehicle);
   plan.metrics = measure(plan.path, plan.samples, clearances_along(problem, plan.path, plan.samples));
   return plan;

@@ -53,7 +53,7 @@ Path reversed(const Path& path);
 
 /// Samples at most `step` metres and `step` radians apart, and so dense that straight interpolation of the poses stays
 /// within `tolerance` of the true motion for every point at most `radius` from the vehicle's origin.
-/// First = start, last = end; t and speed are left at 0 (speed/ fills them).
+/// First = start, last = end; t and speed are left at 0 (speed/ fills them). Empty where that takes more than 4 million.
 std::vector<Sample> sample(const Path& path, double radius, double tolerance, double step = 0.05);
 
 /// Places i where the vehicle must stand still between samples i−1 and i (same s): direction changes, turns on the spot.

@@ -70,5 +70,14 @@ TEST(Sampling, TurnsOnTheSpotKeepTheirPlace) {
   EXPECT_EQ(length(path), 0.0);
 }
 
+TEST(Sample, WhatWouldTakeAllMemoryIsNotSampled) {
+  PoseSequence far;
+  for (int i = 0; i < 60; ++i) far.poses.push_back({i % 2 == 0 ? -1e6 : 1e6, 0.0, 0.0});
+  EXPECT_TRUE(sample({{{far, 1}}}, 1.0, 5e-4).empty());
+  EXPECT_TRUE(sample({{{Turn{{0, 0}, 0.0, 1e12}, 0}}}, 1.0, 5e-4).empty());
+  far.poses.resize(20);
+  EXPECT_GT(sample({{{far, 1}}}, 1.0, 5e-4).size(), 1'000'000U);
+}
+
 }  // namespace
 }  // namespace waywright

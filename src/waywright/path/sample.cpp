@@ -12,6 +12,7 @@ namespace {
 
 constexpr int probes_per_span = 48;        // places where curvature and its rate are looked up to choose the step
 constexpr std::size_t most_steps = 20000;  // of one piece: curves with cusps would ask for any number
+constexpr std::size_t most_samples = 4'000'000;  // of a path: a few poses a million metres apart would ask for all memory
 
 struct Density {
   double radius, tolerance, step;
@@ -41,6 +42,7 @@ class Sampler {
     std::visit([this](const auto& curve) { follow(curve); }, piece.curve);
   }
 
+  bool full() const { return samples_.size() >= most_samples; }
   std::vector<Sample> take() { return std::move(samples_); }
 
  private:
@@ -123,7 +125,8 @@ class Sampler {
     const double by = density_.radius > 0.0
                           ? std::min(density_.step, std::sqrt(8.0 * 0.8 * density_.tolerance / density_.radius))
                           : density_.step;
-    const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(std::abs(turn.angle) / by)));
+    const double count = std::ceil(std::abs(turn.angle) / by);
+    const auto steps = static_cast<std::size_t>(std::clamp(count, 1.0, static_cast<double>(most_samples)));
     for (std::size_t i = 0; i <= steps; ++i) {
       const double heading = turn.from + turn.angle * static_cast<double>(i) / static_cast<double>(steps);
       push_pose(s0, make_pose(turn.at, heading), heading, 0.0, 0.0);
@@ -132,7 +135,7 @@ class Sampler {
 
   void follow(const PoseSequence& sequence) {
     double s = begin();
-    for (std::size_t i = 0; i + 1 < sequence.poses.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < sequence.poses.size() && !full(); ++i) {
       const Pose& a = sequence.poses[i];
       const Pose& b = sequence.poses[i + 1];
       const Vec2 chord = b.position() - a.position();
@@ -162,8 +165,8 @@ class Sampler {
 
 std::vector<Sample> sample(const Path& path, double radius, double tolerance, double step) {
   Sampler sampler{{radius, tolerance, step}};
-  for (std::size_t i = 0; i < path.pieces.size(); ++i) sampler.add(path.pieces[i], i);
-  return sampler.take();
+  for (std::size_t i = 0; i < path.pieces.size() && !sampler.full(); ++i) sampler.add(path.pieces[i], i);
+  return sampler.full() ? std::vector<Sample>{} : sampler.take();
 }
 
 }  // namespace waywright
