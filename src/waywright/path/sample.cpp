@@ -11,8 +11,8 @@ namespace waywright {
 namespace {
 
 constexpr int probes_per_span = 48;        // places where curvature and its rate are looked up to choose the step
-constexpr std::size_t most_steps = 20000;  // of one piece: curves with cusps would ask for any number
-constexpr std::size_t most_samples = 4'000'000;  // of a path: a few poses a million metres apart would ask for all memory
+constexpr double most_bends = 20000;       // steps of one piece for its bends: curves with cusps would ask for any number
+constexpr double most_samples = 4'000'000;  // of a path: a few poses a million metres apart would ask for all memory
 
 struct Density {
   double radius, tolerance, step;
@@ -20,15 +20,14 @@ struct Density {
 
 /// Equal steps of a stretch of `length` metres with the given greatest |κ| and |dκ/ds|. Between samples Δs apart the true
 /// position leaves the chord by at most κΔs²/8 and the heading leaves its interpolation by at most κ′Δs²/8.
-std::size_t steps_for(double length, double curvature, double rate, const Density& density) {
+double steps_for(double length, double curvature, double rate, const Density& density) {
   double step = density.step;
   if (curvature > 0.0) step = std::min(step, density.step / curvature);
   // A footprint point at `radius` also follows the rotation, whose chord error is radius·(κΔs)²/8.
   const double bend = curvature + density.radius * (rate + curvature * curvature);
   if (bend > 0.0) step = std::min(step, std::sqrt(8.0 * 0.8 * density.tolerance / bend));
-  const double count = std::ceil(length / step);
-  if (!(count > 1.0)) return 1;
-  return count < static_cast<double>(most_steps) ? static_cast<std::size_t>(count) : most_steps;
+  if (!(length > 0.0)) return 1.0;
+  return std::max({1.0, std::ceil(length / density.step), std::min(most_bends, std::ceil(length / step))});
 }
 
 class Sampler {
@@ -42,8 +41,8 @@ class Sampler {
     std::visit([this](const auto& curve) { follow(curve); }, piece.curve);
   }
 
-  bool full() const { return samples_.size() >= most_samples; }
-  std::vector<Sample> take() { return std::move(samples_); }
+  bool full() const { return full_; }
+  std::vector<Sample> take() { return full_ ? std::vector<Sample>{} : std::move(samples_); }
 
  private:
   void push(double s, const CurvePoint& point) {
@@ -71,13 +70,19 @@ class Sampler {
     samples_.push_back(sample);
   }
 
+  /// The steps as a number to count to; none where the path would have too many samples.
+  std::size_t room_for(double steps) {
+    full_ = full_ || !(static_cast<double>(samples_.size()) + steps < most_samples);
+    return full_ ? 0 : static_cast<std::size_t>(steps);
+  }
+
   double begin() const { return samples_.empty() ? 0.0 : samples_.back().s; }
 
   void follow(const Line& line) {
     const double s0 = begin();
     const double total = arc_length(line);
-    const std::size_t steps = steps_for(total, 0.0, 0.0, density_);
-    for (std::size_t i = 0; i <= steps; ++i) {
+    const std::size_t steps = room_for(steps_for(total, 0.0, 0.0, density_));
+    for (std::size_t i = 0; i <= steps && !full_; ++i) {
       const double s = total * static_cast<double>(i) / static_cast<double>(steps);
       CurvePoint point = evaluate(line, s);
       if (i == steps) point.position = line.to;
@@ -87,8 +92,8 @@ class Sampler {
 
   void follow(const Arc& arc) {
     const double s0 = begin();
-    const std::size_t steps = steps_for(arc.length, std::abs(arc.curvature), 0.0, density_);
-    for (std::size_t i = 0; i <= steps; ++i) {
+    const std::size_t steps = room_for(steps_for(arc.length, std::abs(arc.curvature), 0.0, density_));
+    for (std::size_t i = 0; i <= steps && !full_; ++i) {
       const double s = arc.length * static_cast<double>(i) / static_cast<double>(steps);
       push(s0 + s, evaluate(arc, s));
     }
@@ -109,10 +114,10 @@ class Sampler {
       }
     }
     const double s0 = begin();
-    const std::size_t steps = steps_for(total, 1.05 * curvature, 1.2 * rate, density_);
+    const std::size_t steps = room_for(steps_for(total, 1.05 * curvature, 1.2 * rate, density_));
     std::size_t span = 0;
     double before = 0.0;  // length of the spans already left behind
-    for (std::size_t i = 0; i <= steps; ++i) {
+    for (std::size_t i = 0; i <= steps && !full_; ++i) {
       const double s = total * static_cast<double>(i) / static_cast<double>(steps);
       while (span + 1 < tables.size() && s > before + tables[span].length()) before += tables[span++].length();
       const double u = i == steps ? 1.0 : tables[span].parameter(s - before);
@@ -125,9 +130,8 @@ class Sampler {
     const double by = density_.radius > 0.0
                           ? std::min(density_.step, std::sqrt(8.0 * 0.8 * density_.tolerance / density_.radius))
                           : density_.step;
-    const double count = std::ceil(std::abs(turn.angle) / by);
-    const auto steps = static_cast<std::size_t>(std::clamp(count, 1.0, static_cast<double>(most_samples)));
-    for (std::size_t i = 0; i <= steps; ++i) {
+    const std::size_t steps = room_for(std::max(1.0, std::ceil(std::abs(turn.angle) / by)));
+    for (std::size_t i = 0; i <= steps && !full_; ++i) {
       const double heading = turn.from + turn.angle * static_cast<double>(i) / static_cast<double>(steps);
       push_pose(s0, make_pose(turn.at, heading), heading, 0.0, 0.0);
     }
@@ -144,9 +148,8 @@ class Sampler {
       const double curvature = length > 0.0 ? turn / length : 0.0;
       const double course = length > 0.0 ? angle_of(chord) : a.heading;
       const double angular = std::abs(turn) / density_.step;
-      const auto steps = static_cast<std::size_t>(
-          std::min(1e5, std::max(1.0, std::ceil(std::max(length / density_.step, angular)))));
-      for (std::size_t k = i == 0 ? 0 : 1; k <= steps; ++k) {
+      const std::size_t steps = room_for(std::max(1.0, std::ceil(std::max(length / density_.step, angular))));
+      for (std::size_t k = i == 0 ? 0 : 1; k <= steps && !full_; ++k) {
         const double t = static_cast<double>(k) / static_cast<double>(steps);
         push_pose(s + t * length, make_pose(a.position() + t * chord, wrap(a.heading + t * turn)), course, curvature, 0.0);
       }
@@ -159,6 +162,7 @@ class Sampler {
   int direction_ = 1;
   std::size_t piece_ = 0;
   bool at_joint_ = false;
+  bool full_ = false;  // too many: nothing more is added
 };
 
 }  // namespace
@@ -166,7 +170,7 @@ class Sampler {
 std::vector<Sample> sample(const Path& path, double radius, double tolerance, double step) {
   Sampler sampler{{radius, tolerance, step}};
   for (std::size_t i = 0; i < path.pieces.size() && !sampler.full(); ++i) sampler.add(path.pieces[i], i);
-  return sampler.full() ? std::vector<Sample>{} : sampler.take();
+  return sampler.take();
 }
 
 }  // namespace waywright
