@@ -1,6 +1,7 @@
 // One prepared problem, many threads: every planner of the registry gives the same bits on each of them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "waywright/io/plan_io.hpp"
@@ -13,21 +14,28 @@ namespace {
 
 constexpr std::size_t threads = 8;
 
-/// What all planners make of a problem, but for the times it took.
+/// What a planner makes of a problem, but for the times it took.
+std::string planned_by(const PlannerDescription& planner, const Parameters& parameters, const Problem& problem) {
+  Budget budget{problem.scenario().budget};
+  const PlanningResult result = planner.make(*complete_parameters(planner, parameters), 1).plan(problem, budget);
+  if (!result) return result.error().failure.reason + "\n";
+  Plan plan = judge(problem, problem.whole_path(result->path));
+  plan.timing = {};
+  plan.explanation = result->explanation;
+  return plan_json(plan) + "\n";
+}
+
+/// Every planner, with every optimiser where it takes one.
 std::string planned_by_all(const Problem& problem) {
   std::string text;
   for (const PlannerDescription& planner : planners()) {
-    Budget budget{problem.scenario().budget};
-    const PlanningResult result = planner.make(*complete_parameters(planner, {}), 1).plan(problem, budget);
-    text += planner.name + ": ";
-    if (!result) {
-      text += result.error().failure.reason + "\n";
+    const auto& known = planner.parameters;
+    const auto optimizer = std::find_if(known.begin(), known.end(), [](const ParameterDescription& p) { return p.name == "optimizer"; });
+    if (optimizer == known.end()) {
+      text += planned_by(planner, {}, problem);
       continue;
     }
-    Plan plan = judge(problem, problem.whole_path(result->path));
-    plan.timing = {};
-    plan.explanation = result->explanation;
-    text += plan_json(plan) + "\n";
+    for (const std::string& name : optimizer->choices) text += planned_by(planner, {{"optimizer", name}}, problem);
   }
   return text;
 }
