@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tests/oracle/brute_force.hpp"
+#include "tests/oracle/confirm.hpp"
 #include "waywright/core/random.hpp"
 #include "waywright/io/plan_io.hpp"
 #include "waywright/judge/import.hpp"
@@ -56,19 +56,6 @@ Plan solved(const Scenario& scenario) {
   return std::move(*plan);
 }
 
-/// Strips of the shelf that are not pocket, in the world.
-std::vector<Ring> strips(const Station& station) {
-  const Shelf& shelf = station.shelf;
-  std::vector<double> edges{-0.5 * shelf.width};
-  for (const auto& [right, left] : station.insertion->pockets) edges.insert(edges.end(), {right, left});
-  edges.push_back(0.5 * shelf.width);
-  std::vector<Ring> rings;
-  for (std::size_t i = 0; i + 1 < edges.size(); i += 2) {
-    rings.push_back(transformed(rectangle({-shelf.depth, edges[i]}, {0.0, edges[i + 1]}), shelf.face()));
-  }
-  return rings;
-}
-
 void confirm(const Scenario& scenario, const Plan& plan) {
   ASSERT_EQ(plan.status, Status::solved) << plan.reason;
   const auto read = parse_plan(plan_json(plan), "plan.json");
@@ -82,22 +69,13 @@ void confirm(const Scenario& scenario, const Plan& plan) {
   const bool out = station.manoeuvre == Manoeuvre::undock;
   const std::size_t stretch = out ? 0 : plan.path.pieces.size() - 1;
   ASSERT_EQ(problem.pocket_piece(plan.path), stretch);
-  Path in_shelf{{plan.path.pieces[stretch]}}, open = plan.path;
-  open.pieces.erase(open.pieces.begin() + static_cast<std::ptrdiff_t>(stretch));
-  const Map nothing;
-  const Ring body = rectangle({-2.30, -0.45}, {-0.75, 0.45});
   const double margin = problem.pose_error_margin();
-  const double outside = oracle_path_clearance(scenario.map, {station.area}, {station.shelf.outline()}, problem.footprint(), open, 0.001);
-  const double beside = oracle_path_clearance(scenario.map, {station.area}, {}, problem.footprint(), in_shelf, 0.001);
-  const double rest = oracle_path_clearance(nothing, {}, {station.shelf.outline()}, Footprint{body, 0.0}, in_shelf, 0.001);
-  double forks = oracle_cap;
-  for (const Ring& fork : scenario.vehicle.forks) {
-    forks = std::min(forks, oracle_path_clearance(nothing, {}, strips(station), Footprint{fork, 0.0}, in_shelf, 0.001));
-  }
-  EXPECT_GE(std::min({outside, beside, rest}) + 1e-9, plan.certificate.clearance + margin);
+  const OracleClearance found = oracle_mission_clearance(scenario, plan.path);
+  EXPECT_GE(found.vehicle + 1e-9, plan.certificate.clearance + margin);
   ASSERT_TRUE(plan.certificate.pocket_clearance);
-  EXPECT_GE(forks + 1e-9, *plan.certificate.pocket_clearance + margin);
-  EXPECT_LE(forks, *plan.certificate.pocket_clearance + margin + 0.002);
+  ASSERT_TRUE(found.forks);
+  EXPECT_GE(*found.forks + 1e-9, *plan.certificate.pocket_clearance + margin);
+  EXPECT_LE(*found.forks, *plan.certificate.pocket_clearance + margin + 0.002);
   EXPECT_NEAR(plan.certificate.checked_length, length(plan.path), 1e-9);
 }
 

@@ -4,18 +4,19 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf 'waywright: %s\n' "$*" >&2; }
 
-# Packages of tools/packages.txt that are not installed.
+# missing_packages LIST: packages of a list in tools/ that are not installed.
 missing_packages() {
   local name
-  grep -v '^#' "$root/tools/packages.txt" | while read -r name; do
+  grep -v '^#' "$root/tools/$1" | while read -r name; do
     [ -n "$name" ] || continue
     dpkg-query -W -f='${db:Status-Status}\n' "$name" 2>/dev/null | grep -qx installed || printf '%s ' "$name"
   done
 }
 
+# install_missing [LIST]
 install_missing() {
   local missing
-  missing=$(missing_packages)
+  missing=$(missing_packages "${1:-packages.txt}")
   [ -n "$missing" ] || return 0
   if [ "$(id -u)" != 0 ]; then
     say "these packages are missing, and installing them needs root: $missing"

@@ -8,14 +8,23 @@
 
 #define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/linestring.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 #include <cstddef>
 #include <variant>
 #include <vector>
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // of the library's own, where it is inlined
+#endif
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/linestring.hpp>
+#include <boost/geometry/geometries/multi_polygon.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 #include "waywright/map/map.hpp"
 #include "waywright/path/path.hpp"
@@ -212,7 +221,44 @@ class Motion {
     }
   }
 
+  /// The least of `clearance(pose, limit)` along the motion, or `least` where that is less: poses `coarse` apart first, then between those
+  /// that can have something nearer between them, down to `fine`. No point moves farther than what lies between two poses, give or take
+  /// the bend; so two clearances tell how little can be between.
+  template <class Clearance>
+  double least_of(const Clearance& clearance, double coarse, double fine, double least) const {
+    const double end = parameters();
+    const auto n = static_cast<std::size_t>(std::ceil(std::max(1.0, longest() / coarse)));
+    std::vector<Measured> coarsely;
+    for (std::size_t i = 0; i <= n; ++i) {
+      const double u = end * static_cast<double>(i) / static_cast<double>(n);
+      const Pose pose = at(u);
+      coarsely.push_back({u, pose, clearance(pose, least + 2.0 * coarse)});
+      least = std::min(least, coarsely.back().clearance);
+    }
+    for (std::size_t i = 0; i < n && least > 0.0; ++i) search(coarsely[i], coarsely[i + 1], clearance, fine, 0, least);
+    return least;
+  }
+
  private:
+  struct Measured {
+    double u = 0.0;
+    Pose pose{};
+    double clearance = 0.0;
+  };
+
+  template <class Clearance>
+  void search(const Measured& a, const Measured& b, const Clearance& clearance, double fine, int depth, double& least) const {
+    constexpr double bend = 1.5;  // of the way between two poses over the straight one
+    const double moved = std::hypot(b.pose.x - a.pose.x, b.pose.y - a.pose.y) + radius_ * std::abs(std::remainder(b.pose.heading - a.pose.heading, 2.0 * M_PI));
+    if (moved <= fine || depth >= deepest || 0.5 * (a.clearance + b.clearance - bend * moved) >= least || least <= 0.0) return;
+    Measured middle{0.5 * (a.u + b.u), {}, 0.0};
+    middle.pose = at(middle.u);
+    middle.clearance = clearance(middle.pose, least + bend * moved);
+    least = std::min(least, middle.clearance);
+    search(a, middle, clearance, fine, depth + 1, least);
+    search(middle, b, clearance, fine, depth + 1, least);
+  }
+
   static constexpr int deepest = 16;
 
   /// Halved until no point of the body moves farther than the step.
@@ -373,6 +419,18 @@ inline double oracle_path_clearance(const Map& map, const std::vector<Ring>& ext
     least = clearance;
     if (tightest != nullptr) *tightest = pose;
     if (least <= 0.0) return 0.0;
+  }
+  return least;
+}
+
+/// Nearly the same with a hundredth of the poses: exact at the poses it looks at, which lie `fine` apart where it is tight (a bend sharper
+/// than `coarse` can hide from it).
+inline double oracle_refined_clearance(const Map& map, const Footprint& footprint, const Path& path, double coarse, double fine) {
+  const oracle::Scene scene{map, {}, {}, footprint};
+  const double radius = footprint.polygon.empty() ? 0.0 : oracle::reach(footprint);
+  double least = oracle_cap;
+  for (const Piece& piece : path.pieces) {
+    least = oracle::Motion{piece, radius, fine}.least_of([&](const Pose& pose, double limit) { return scene.clearance(pose, limit); }, coarse, fine, least);
   }
   return least;
 }

@@ -34,13 +34,20 @@ std::optional<Status> status_from_string(const std::string& word) {
   return std::nullopt;
 }
 
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+  }
+  return text;
+}
+
 std::string InputError::message() const {
   std::string m;
   if (!file.empty()) m += file + ": ";
   if (!field.empty()) m += field + ": ";
   m += problem;
   if (!allowed.empty()) m += " (allowed: " + allowed + ")";
-  return m;
+  return one_line(std::move(m));
 }
 
 }  // namespace waywright

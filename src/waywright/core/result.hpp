@@ -33,6 +33,9 @@ struct Failure {
   std::optional<Vec2> point = {};  ///< the obstacle's point that it speaks of
 };
 
+/// Text fit for a message: a name out of a file may hold anything, and line breaks and control characters become question marks.
+std::string one_line(std::string text);
+
 /// Input that cannot be used. `message()` is the one sentence that a user sees.
 struct InputError {
   std::string file;     ///< name as the user gave it; empty where there is none

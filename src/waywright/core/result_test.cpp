@@ -33,6 +33,13 @@ TEST(InputError, OneSentence) {
   EXPECT_EQ((InputError{"", "goal", "is missing", ""}.message()), "goal: is missing");
 }
 
+// As a load's name out of a file came through: "a\u0000b".
+TEST(InputError, IsOneLineWhateverNamesAreInIt) {
+  EXPECT_EQ((InputError{"s\njson", "carried_load", std::string{"the vehicle has no load \"a\0b\"", 29}, "x\x1b[2J\x7f"}.message()),
+            "s?json: carried_load: the vehicle has no load \"a?b\" (allowed: x?[2J?)");
+  EXPECT_EQ(one_line("ä → 1"), "ä → 1");
+}
+
 TEST(Result, ValueOrFailure) {
   const Result<int> value = 3;
   const Result<int> failure = tl::unexpected{Failure{Status::timed_out, "out of time"}};

@@ -9,6 +9,8 @@
 namespace waywright {
 namespace {
 
+constexpr std::size_t pixels_per_byte = 1032 * 8;  // of a PNG, at most
+
 tl::unexpected<InputError> refuse(const std::string& name, std::string problem, std::string allowed = "") {
   return tl::unexpected{InputError{name, "", std::move(problem), std::move(allowed)}};
 }
@@ -108,6 +110,12 @@ Parsed<GreyImage> decode_png(const std::string& bytes, const std::string& name) 
     const auto sentence = fmt::format("the picture is {} × {} pixels", png.width, png.height);
     png_image_free(&png);
     return refuse(name, sentence, size_allowed());
+  }
+  // A few bytes must not ask for a gigabyte: deflate makes at most 1032 of one, and a pixel takes at least a bit.
+  if (static_cast<std::size_t>(png.width) * png.height / pixels_per_byte > bytes.size()) {
+    const auto sentence = fmt::format("the picture is cut short: {} bytes cannot hold {} × {} pixels", bytes.size(), png.width, png.height);
+    png_image_free(&png);
+    return refuse(name, sentence);
   }
   GreyImage image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
   // Asked for as RGBA in file values, so that colours are averaged as they stand and transparency changes nothing.

@@ -82,10 +82,7 @@ std::string shortened(const std::string& text) {
     if (!out.empty() && static_cast<unsigned char>(out.back()) >= 0xC0U) out.pop_back();
     out += "...";
   }
-  for (char& c : out) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
-  }
-  return out;
+  return one_line(std::move(out));
 }
 
 void ReadContext::fail(const std::string& field, std::string problem, std::string allowed) {

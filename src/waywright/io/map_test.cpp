@@ -1,5 +1,6 @@
 // Pictures, ROS maps, alignment, files.
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -130,6 +131,25 @@ TEST_F(RosMap, BrokenBytesNeverCrash) {
     }
   }
   EXPECT_GT(read, 0);
+}
+
+// 16384 × 16384 pixels in 57 bytes would be a gigabyte once decoded.
+TEST(Image, APngThatClaimsMoreThanItsBytesCanHoldIsRefused) {
+  GreyImage image{1, 1, {7}};
+  std::string bytes = encode_png(image);
+  ASSERT_EQ(bytes.substr(12, 4), "IHDR");
+  for (const std::size_t side : {std::size_t{16}, std::size_t{20}}) bytes.replace(side, 4, std::string{"\x00\x00\x40\x00", 4});
+  const std::uint32_t crc = static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const unsigned char*>(bytes.data()) + 12, 17));
+  for (std::size_t i = 0; i < 4; ++i) bytes[29 + i] = static_cast<char>(crc >> (24 - 8 * i));
+  const auto refused = decode_image(bytes, "bomb");
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().problem.find("cannot hold"), std::string::npos) << refused.error().message();
+
+  // What compresses best is still read.
+  image = {4000, 4000, std::vector<std::uint8_t>(16'000'000, 255)};
+  const auto white = decode_image(encode_png(image), "white");
+  ASSERT_TRUE(white) << white.error().message();
+  EXPECT_EQ(white->pixels, image.pixels);
 }
 
 TEST_F(RosMap, RealMapsLoadWithTheirSizes) {

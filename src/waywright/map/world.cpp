@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "waywright/core/result.hpp"
+
 namespace waywright {
 
 PlacedOutline::PlacedOutline(const Footprint& footprint, const Pose& pose) {
@@ -157,7 +159,7 @@ bool World::is_free(std::span<const Vec2> ring, double margin) const {
 }
 
 std::string World::source_name(std::size_t source) const {
-  return source < sources_.size() ? sources_[source].name : std::string{"nothing"};
+  return source < sources_.size() ? one_line(sources_[source].name) : std::string{"nothing"};
 }
 
 Box World::bounds() const {

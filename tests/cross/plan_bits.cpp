@@ -1,0 +1,100 @@
+// A dozen plans to the last bit, as text: what two processors must agree on. Only the docking core.
+#include <cstdio>
+#include <memory>
+
+#include "waywright/core/random.hpp"
+#include "waywright/judge/judge.hpp"
+#include "waywright/optimizer/lattice_search.hpp"
+#include "waywright/planner/docking/fixture_stations.hpp"
+#include "waywright/planner/docking/pattern_docking.hpp"
+
+namespace waywright {
+namespace {
+
+void print(const char* name, double value) { std::printf(" %s %a", name, value); }
+void print(Vec2 p) { std::printf(" (%a, %a)", p.x, p.y); }
+
+void print_curve(const Spline& spline) {
+  for (const BezierSpan& span : spline.spans) {
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(span.degree); ++i) print(span.control[i]);
+  }
+}
+void print_curve(const Line& line) {
+  print(line.from);
+  print(line.to);
+}
+void print_curve(const auto&) {}
+
+void plan(const char* name, const Scenario& scenario) {
+  const Problem problem = Problem::prepare(scenario).value();
+  Budget budget{scenario.budget};
+  const PatternDockingPlanner planner{{}, std::make_shared<LatticeSearch>(), 1};
+  const PlanningResult result = planner.plan(problem, budget);
+  std::printf("%s: %lld evaluations\n", name, static_cast<long long>(budget.evaluations()));
+  if (!result) {
+    std::printf(" %s\n", result.error().failure.reason.c_str());
+    return;
+  }
+  const Plan plan = judge(problem, problem.whole_path(result->path));
+  std::printf(" %s %s\n", to_string(plan.status), plan.reason.c_str());
+  for (const Piece& piece : plan.path.pieces) {
+    std::printf(" piece %d:", piece.direction);
+    std::visit([](const auto& curve) { print_curve(curve); }, piece.curve);
+    std::printf("\n");
+  }
+  for (const Sample& s : plan.samples) {
+    for (const double v : {s.s, s.x, s.y, s.heading, s.curvature, s.t, s.speed}) std::printf(" %a", v);
+    std::printf("\n");
+  }
+  const Metrics& m = plan.metrics;
+  for (const double v : {m.length, m.min_clearance, m.mean_clearance, m.max_curvature, m.curvature_change, m.turning, m.travel_time}) std::printf(" %a", v);
+  print("clearance", plan.certificate.clearance);
+  print("pocket", plan.certificate.pocket_clearance.value_or(-1.0));
+  std::printf("\n");
+}
+
+/// The forks in and the load out: tines of 0.21 m, pockets 4 cm wider on each side.
+Scenario with_pockets(Manoeuvre manoeuvre) {
+  Scenario s = fixture::station(fixture::Id::d1, {3.0, -2.0, 0.4});
+  s.vehicle.footprint.polygon = {{-2.30, -0.45}, {-0.75, -0.45}, {-0.75, -0.33}, {0.40, -0.33}, {0.40, -0.12}, {-0.75, -0.12},
+                                 {-0.75, 0.12},  {0.40, 0.12},   {0.40, 0.33},   {-0.75, 0.33}, {-0.75, 0.45}, {-2.30, 0.45}};
+  s.vehicle.forks = {rectangle({-0.75, -0.33}, {0.40, -0.12}), rectangle({-0.75, 0.12}, {0.40, 0.33})};
+  s.vehicle.loads["pallet"] = {{rectangle({-0.75, -0.40}, {0.45, 0.40}), 0.0}, 800.0};
+  auto& station = std::get<Station>(s.mission);
+  station.manoeuvre = manoeuvre;
+  station.insertion = Insertion{1.0, {{-0.37, -0.08}, {0.08, 0.37}}};
+  if (manoeuvre == Manoeuvre::undock) s.carried_load = "pallet";
+  s.pose_error = {0.01, 0.01, 0.004};
+  return s;
+}
+
+}  // namespace
+}  // namespace waywright
+
+int main() {
+  using namespace waywright;
+  using fixture::Id;
+  const Pose somewhere{-37.5, 12.25, 2.1};
+  plan("open", fixture::station(Id::d0));
+  plan("two boxes", fixture::station(Id::d1));
+  plan("cluttered", fixture::station(Id::d2));
+  plan("narrow", fixture::station(Id::d3));
+  plan("two boxes, turned", fixture::station(Id::d1, somewhere));
+  plan("cluttered, turned", fixture::station(Id::d2, somewhere));
+  Scenario s = fixture::station(Id::d2, somewhere);
+  s.pose_error = {0.02, 0.01, 0.005};
+  s.clearance = 0.04;
+  plan("with pose error", s);
+  s.vehicle.limits.curvature_rate = 1.0;
+  plan("with a curvature rate", s);
+  s.vehicle.footprint = {{}, 0.6};
+  s.vehicle.drive = Differential{0.7};
+  plan("disc", s);
+  Scenario far = fixture::station(Id::d1, {123456.0, -654321.0, -1.3});
+  plan("far out", far);
+  plan("forks in", with_pockets(Manoeuvre::dock));
+  plan("out with the load", with_pockets(Manoeuvre::undock));
+  Scenario goal = fixture::station(Id::d0);
+  goal.mission = Pose{2.0, -1.0, 2.8};
+  plan("goal pose", goal);
+}

@@ -1,0 +1,160 @@
+// Texts: scenario.json, plan.json, poses as CSV.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "tests/fuzz/sentences.hpp"
+#include "tests/fuzz/target.hpp"
+#include "waywright/io/plan_io.hpp"
+#include "waywright/io/scenario_io.hpp"
+#include "waywright/io/test_files.hpp"
+#include "waywright/judge/import.hpp"
+
+namespace waywright::fuzz {
+namespace {
+
+using test::fingerprint;
+
+constexpr std::size_t most_cells = 1 << 16;    // of a grid: writing out more takes the time of many small inputs
+constexpr std::size_t most_segments = 20'000;  // of a path
+
+bool is_small(const Map& map) {
+  std::size_t cells = 0;
+  for (const CellGrid& grid : map.grids) cells += grid.blocked.size();
+  return cells <= most_cells;
+}
+
+bool is_small(const Path& path) {
+  std::size_t segments = 0;
+  for (const Piece& piece : path.pieces) {
+    if (const auto* spline = std::get_if<Spline>(&piece.curve)) segments += spline->spans.size();
+    else if (const auto* poses = std::get_if<PoseSequence>(&piece.curve)) segments += poses->poses.size();
+    else ++segments;
+  }
+  return segments <= most_segments;
+}
+
+/// What a judged path says is a number or nothing, and its claims fit together.
+void require_sound(const Plan& plan) {
+  const Certificate& c = plan.certificate;
+  require(std::isfinite(c.clearance) && c.clearance >= 0.0, "the certificate's clearance is a number from 0");
+  require((plan.status == Status::solved) == plan.reason.empty(), "a reason is given where there is no solution, and only there");
+  if (plan.status == Status::solved) require(c.collision_free, "what is solved is free of collision");
+  for (const Sample& s : plan.samples) {
+    require(is_finite(s.pose()) && std::isfinite(s.s) && std::isfinite(s.t) && std::isfinite(s.speed) && s.speed >= 0.0,
+            "samples are numbers");
+  }
+}
+
+std::string example(const std::string& name) { return std::string{WAYWRIGHT_SOURCE_DIR} + "/examples/" + name; }
+
+}  // namespace
+
+Outcome run_scenario(const std::string& text) {
+  const auto scenario = parse_scenario(text, "s.json", "nowhere");
+  if (!scenario) {
+    require_sentence(scenario.error());
+    return Outcome::refused;
+  }
+  if (!is_small(scenario->map)) return Outcome::accepted;
+  const auto again = parse_scenario(scenario_json(*scenario), "again", "nowhere");
+  require(again.has_value(), "what was accepted is written so that it is accepted again");
+  require(fingerprint(*again) == fingerprint(*scenario), "what was accepted reads back to the same bits");
+  const auto problem = Problem::prepare(*scenario);
+  if (!problem) {
+    require_sentence(problem.error());
+    return Outcome::accepted;
+  }
+  if (const auto ends = problem->check_ends()) require(ends->reason.size() > 5, "an end that cannot be is told why");
+  return Outcome::accepted;
+}
+
+Outcome run_plan(const std::string& text) {
+  const auto plan = parse_plan(text, "nowhere/plan.json");
+  if (!plan) {
+    require_sentence(plan.error());
+    return Outcome::refused;
+  }
+  if (!is_small(plan->scenario.map)) return Outcome::accepted;
+  const std::string written = plan_json(*plan);
+  const auto again = parse_plan(written, "nowhere/again.json");
+  require(again.has_value(), "what was accepted is written so that it is accepted again");
+  require(plan_json(*again) == written, "what was accepted reads back to the same bits");
+  if (!is_small(plan->path)) return Outcome::accepted;
+  const auto verification = verify(*plan);
+  if (!verification) {
+    require_sentence(verification.error());
+    return Outcome::accepted;
+  }
+  require(verification->holds == verification->findings.empty(), "findings are what does not hold");
+  for (const std::string& finding : verification->findings) require(finding.size() > 5, "a finding is a sentence");
+  if (!plan->path.pieces.empty()) require_sound(verification->fresh);
+  return Outcome::accepted;
+}
+
+Outcome run_poses(const std::string& text) {
+  const auto path = parse_poses_csv(text, "p.csv");
+  if (!path) {
+    require_sentence(path.error());
+    return Outcome::refused;
+  }
+  for (std::size_t k = 0; k < path->pieces.size(); ++k) {
+    const Piece& piece = path->pieces[k];
+    require((piece.direction == 0) == std::holds_alternative<Turn>(piece.curve), "only turns have no direction");
+    require(is_finite(start_pose(piece)) && is_finite(end_pose(piece)), "poses are numbers");
+    if (k == 0) continue;
+    const Pose before = end_pose(path->pieces[k - 1]);
+    require(before.position() == start_pose(piece).position(), "a piece begins where the one before ends");
+    require(std::abs(shorter_turn(before.heading, start_pose(piece).heading)) <= 1e-9, "and looks where it did");
+  }
+  if (!is_small(*path)) return Outcome::accepted;
+  static const Problem problem = Problem::prepare(read_scenario(example("dock_insertion.json")).value()).value();
+  require_sound(judge_imported(problem, *path));
+  return Outcome::accepted;
+}
+
+std::vector<std::string> scenario_seeds() {
+  std::vector<std::string> seeds{test::full_scenario, test::least_scenario,
+                                 scenario_json(parse_scenario(test::full_scenario, "s", {}).value())};
+  for (const auto& entry : std::filesystem::directory_iterator{example("")}) {
+    if (entry.path().extension() != ".json" || entry.path().filename() == "dock_warehouse.json") continue;  // a large grid
+    seeds.push_back(scenario_json(read_scenario(entry.path()).value(), -1));
+  }
+  std::sort(seeds.begin() + 3, seeds.end());
+  return seeds;
+}
+
+std::vector<std::string> plan_seeds() {
+  Plan every;
+  every.version = "1";
+  every.scenario = parse_scenario(test::least_scenario, "s", {}).value();
+  every.path.pieces = {{Line{{0, 0}, {1, 0}}, 1},
+                       {Arc{{1, 0, 0}, 0.5, 1}, 1},
+                       {Spline{SplineKind::quintic, {{2, {Vec2{0, 0}, {1, 0}, {1, 1}}}}}, -1},
+                       {Turn{{1, 1}, 0.5, 0.5}, 0},
+                       {PoseSequence{{{1, 1, 1}, {2, 1, 1}}}, -1}};
+  every.samples = {Sample{}, Sample{}, Sample{}};
+  every.certificate.tightest = Pose{};
+  every.explanation = {"why"};
+  every.alternatives = {{"left", true, 1.0, "taken", {}, {}}};
+  every.parameters = {{"a", 1.0}};
+
+  // One that holds, beside an obstacle.
+  Scenario beside = every.scenario;
+  beside.map.obstacles = {rectangle({-0.5, 0.6}, {0.8, 0.9})};
+  beside.vehicle.footprint = {rectangle({-0.3, -0.3}, {0.4, 0.3}), 0.0};
+  beside.clearance = 0.02;
+  beside.mission = Pose{0.3, 0.0, 0.2};
+  const Path path{{{Line{{0, 0}, {0.3, 0}}, 1}, {Turn{{0.3, 0}, 0.0, 0.2}, 0}}};
+  const Plan holds = judge(Problem::prepare(beside).value(), path);
+  return {plan_json(every), plan_json(holds)};
+}
+
+std::vector<std::string> poses_seeds() {
+  return {
+      "# poses\nx,y,heading,direction\n0,0,0,1\n1,0,0.1,1\n1,0,0.1,-1\n0.5,0,0.1,-1\n0.5,0,0.6,0\n0.5,1,0.7,1\n",
+      "yaw;X;y\n0;0;0\n0.01;1;0\n\n0.02;2;0.02\n",
+  };
+}
+
+}  // namespace waywright::fuzz
