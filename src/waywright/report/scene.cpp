@@ -89,7 +89,7 @@ Vec2 calm_point(const std::vector<Vec2>& curve, const std::vector<Vec2>& busy) {
 Vec2 label_beside(SvgWriter& svg, const Canvas& canvas, Vec2 point, Vec2 away, const std::string& text, double letters, std::string_view style_class) {
   const double length = norm(away);
   const Vec2 d = length > 0.0 ? (1.0 / length) * away : Vec2{0.0, 1.0};
-  const double needed = 7.0 * std::max(letters, static_cast<double>(text.size()));
+  const double needed = 7.4 * std::max(letters, static_cast<double>(text.size()));
   const Vec2 at = canvas.view(point);
   const double x = at.x + 12.0 * d.x - (d.x < -0.3 ? needed : d.x < 0.3 ? 0.5 * needed : 0.0);
   const double y = at.y + 16.0 * d.y + 5.0;
@@ -234,11 +234,13 @@ class Scene {
     svg_.line(on, c.tightest_point, "tight");
     svg_.dot(c.tightest_point, blocked_ ? 4.5 : 3.5, "tightdot");
     const Vec2 away{c.tightest_point.x - on.x, on.y - c.tightest_point.y};
-    const Vec2 at = label_beside(svg_, canvas_, c.tightest_point, away, gap > 0.0 ? fmt::format("{:.1f} mm", 1000.0 * gap) : "touches", 20.0, "tighttext name");
-    if (c.collision_free && problem_.pose_error_margin() > 0.0) {
+    const bool second_line = c.collision_free && problem_.pose_error_margin() > 0.0;
+    const Vec2 at = label_beside(svg_, canvas_, c.tightest_point, away, gap > 0.0 ? fmt::format("{:.1f} mm", 1000.0 * gap) : "touches", second_line ? 20.0 : 8.0,
+                                 "tighttext name");
+    if (second_line) {
       const Vec2 below = canvas_.view(c.tightest_point) + at;
       svg_.raw(fmt::format("<text class=\"tighttext note\" x=\"{}\" y=\"{}\" dy=\"1.2em\">{:.1f} with pose error</text>\n", fixed(below.x), fixed(below.y),
-                           millimetres_down(c.clearance)));
+                           1000.0 * c.clearance));
     }
     if (const auto spot = c.collision_free ? tightest_off_straight(problem_, plan_) : std::nullopt) {
       off_straight_ = true;

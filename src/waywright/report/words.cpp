@@ -22,15 +22,13 @@ bool says(std::string_view text, std::string_view sentence) { return !core_of(se
 
 }  // namespace
 
-double millimetres_down(double metres) { return std::floor(10000.0 * metres + 1e-4) / 10.0; }
-
 std::string headline(const Plan& plan) {
   switch (plan.status) {
     case Status::solved: {
       const PoseError& e = plan.scenario.pose_error;
       const bool error = e.lateral + e.longitudinal + e.heading > 0.0;
       if (is_beyond_measure(plan.certificate)) return "Solved and proven: " + clearance_words(plan.certificate) + " of clearance";
-      return fmt::format("Solved and proven: at least {:.1f} mm of clearance{}", millimetres_down(plan.certificate.clearance),
+      return fmt::format("Solved and proven: at least {:.1f} mm of clearance{}", 1000.0 * plan.certificate.clearance,
                          error ? " at every pose within the pose error" : "");
     }
     case Status::unproven: return "A path, but not proven";

@@ -33,7 +33,4 @@ std::string reason_once(const Plan& plan);
 /// The explanation without what the alternatives' outcomes or the reason say in the same words.
 std::vector<std::string> explanation_once(const Plan& plan, bool beside_alternatives);
 
-/// Tenths of a millimetre, rounded down: a bound does not grow by being printed.
-double millimetres_down(double metres);
-
 }  // namespace waywright
