@@ -43,16 +43,19 @@ struct Label {
 void label_beside(SvgWriter& svg, const Canvas& canvas, Vec2 point, Vec2 away, const Label& label) {
   const double length = norm(away);
   const Vec2 d = length > 0.0 ? (1.0 / length) * away : Vec2{0.0, 1.0};
-  const double needed = 7.4 * static_cast<double>(std::max(label.text.size(), label.below.size()));
+  const double letter = label.style_class == "note" ? 6.4 : 9.0;  // px, about
+  const double needed = std::max(letter * static_cast<double>(label.text.size()),
+                                 6.9 * static_cast<double>(label.below.size()));
   const Vec2 at = canvas.view(point);
   const double x = at.x + 12.0 * d.x - (d.x < -0.3 ? needed : d.x < 0.3 ? 0.5 * needed : 0.0);
   double y = at.y + 16.0 * d.y + 5.0;
+  if (!label.below.empty() && d.y < -0.3) y -= 14.0;  // the second line stays above the point too
   double kept = std::clamp(x, left_gutter + 4.0, std::max(left_gutter + 4.0, canvas.width - needed - 4.0));
   // Moved along, it would stand on what it names.
   if (std::abs(kept - x) > 0.3 * needed) y += d.y < 0.0 ? -26.0 : 14.0;
   y = std::clamp(y, 16.0, canvas.height - bottom_gutter - 6.0);
   // On a narrow page letters are larger: near the right edge they grow to the left.
-  const bool from_right = kept + 2.2 * needed > canvas.width;
+  const bool from_right = kept + 2.6 * needed > canvas.width;
   if (from_right) kept += needed;
   const std::string anchor = from_right ? " end" : "";
   svg.label(point, Vec2{kept, y} - at, label.text, label.style_class + anchor);

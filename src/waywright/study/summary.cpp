@@ -36,10 +36,15 @@ void count_failure(std::vector<Summary::Failures>& failures, const Run& run) {
     ++known->count;
 }
 
-/// Cut at a word.
+/// Cut at a word, or at a whole character where it is one long word.
 std::string cut(const std::string& text) {
   if (text.size() <= longest_reason) return text;
-  return text.substr(0, text.rfind(' ', longest_reason)) + " …";
+  std::size_t end = text.rfind(' ', longest_reason);
+  if (end == std::string::npos) {
+    end = longest_reason;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  }
+  return text.substr(0, end) + " …";
 }
 
 /// A figure, or a dash where there is nothing to measure.
