@@ -457,6 +457,7 @@ TEST_F(CommandLine, EmptyPlacesHaveNoTightestSpot) {
   const std::string html = slurp(folder_ / "o/report.html");
   EXPECT_NE(html.find("Solved and proven: more than"), std::string::npos);
   EXPECT_EQ(html.find("tightest spot"), std::string::npos);
+  EXPECT_NE(run("verify o/plan.json").out.find("with more than"), std::string::npos);
 }
 
 TEST_F(CommandLine, UnwritableFoldersAreRefusedBeforeTheWork) {

@@ -179,11 +179,6 @@ TEST(Report, TextIsTheGoldenOne) {
             std::string::npos);
 }
 
-TEST(Words, BoundsAreNotRoundedUp) {
-  EXPECT_EQ(millimetres_down(0.03079), 30.7);
-  EXPECT_EQ(millimetres_down(0.05), 50.0);
-}
-
 TEST(Words, ReasonAndExplanationDoNotRepeatEachOther) {
   Plan plan;
   plan.reason = "no pattern fits. On the left side a box stands. On the right side too";

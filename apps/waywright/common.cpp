@@ -12,13 +12,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Names come from files: what a terminal would take for a command (C0 and C1 control characters) becomes '?'.
+/// Names come from files: what a terminal would take for a command (C0 and C1 control characters) becomes
+/// '?'.
 std::string printable(const std::string& text) {
   std::string out;
   out.reserve(text.size());
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto c = static_cast<unsigned char>(text[i]);
-    const bool c1 = c == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) >= 0x80 && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    const bool c1 = c == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) >= 0x80 &&
+                    static_cast<unsigned char>(text[i + 1]) < 0xA0;
     if (c1) ++i;
     out += c1 || c == 0x7F || (c < 0x20 && c != '\n' && c != '\t') ? '?' : static_cast<char>(c);
   }
@@ -32,7 +34,9 @@ int complain(const InputError& error) {
   return bad_input;
 }
 
-void note(const std::string& sentence) { std::fprintf(stderr, "waywright: %s\n", printable(sentence).c_str()); }
+void note(const std::string& sentence) {
+  std::fprintf(stderr, "waywright: %s\n", printable(sentence).c_str());
+}
 
 void note_all(const std::vector<std::string>& repairs, const std::vector<std::string>& warnings) {
   for (const std::string& repair : repairs) note("repaired: " + repair);

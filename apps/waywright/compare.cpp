@@ -1,3 +1,5 @@
+#include "waywright/study/compare.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -8,7 +10,6 @@
 #include "waywright/io/files.hpp"
 #include "waywright/report/scene.hpp"
 #include "waywright/report/words.hpp"
-#include "waywright/study/compare.hpp"
 #include "waywright/study/summary.hpp"
 
 namespace waywright::app {
@@ -26,16 +27,20 @@ std::vector<std::string> split(const std::string& text, char separator) {
 }
 
 bool has_parameter(const PlannerDescription& planner, const std::string& name) {
-  return std::any_of(planner.parameters.begin(), planner.parameters.end(), [&](const ParameterDescription& p) { return p.name == name; });
+  return std::any_of(planner.parameters.begin(), planner.parameters.end(),
+                     [&](const ParameterDescription& p) { return p.name == name; });
 }
 
 /// Parts between commas; "\\," stands for a comma inside a part.
 std::vector<std::string> split_list(const std::string& text) {
   std::vector<std::string> parts(1);
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '\\' && i + 1 < text.size() && text[i + 1] == ',') parts.back() += text[++i];
-    else if (text[i] == ',') parts.emplace_back();
-    else parts.back() += text[i];
+    if (text[i] == '\\' && i + 1 < text.size() && text[i + 1] == ',')
+      parts.back() += text[++i];
+    else if (text[i] == ',')
+      parts.emplace_back();
+    else
+      parts.back() += text[i];
   }
   std::erase(parts, "");
   return parts;
@@ -50,15 +55,19 @@ std::string known_planners() {
 /// NAME, NAME:key=value:… or exec:COMMAND.
 Parsed<Contestant> contestant_from(const std::string& entry) {
   if (entry.rfind("exec:", 0) == 0) {
-    if (entry.size() == 5) return tl::unexpected{InputError{"", "--planners", "exec: names no command", "exec:COMMAND"}};
+    if (entry.size() == 5)
+      return tl::unexpected{InputError{"", "--planners", "exec: names no command", "exec:COMMAND"}};
     return Contestant{entry, "", {}, entry.substr(5)};
   }
   const auto parts = split(entry, ':');
   const PlannerDescription* planner = parts.empty() ? nullptr : find_planner(parts[0]);
-  if (planner == nullptr) return tl::unexpected{InputError{"", "--planners", fmt::format("\"{}\" is not known", entry), known_planners()}};
+  if (planner == nullptr)
+    return tl::unexpected{
+        InputError{"", "--planners", fmt::format("\"{}\" is not known", entry), known_planners()}};
   Contestant contestant{entry, planner->name, {}, {}};
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    if (auto set = set_parameter(*planner, contestant.parameters, parts[i]); !set) return tl::unexpected{set.error()};
+    if (auto set = set_parameter(*planner, contestant.parameters, parts[i]); !set)
+      return tl::unexpected{set.error()};
   }
   return contestant;
 }
@@ -72,28 +81,36 @@ Parsed<std::vector<Contestant>> named_contestants(const std::string& list) {
   for (const std::string& entry : split_list(list)) {
     auto contestant = contestant_from(entry);
     if (!contestant) return tl::unexpected{contestant.error()};
-    const bool twice = std::any_of(contestants.begin(), contestants.end(), [&](const Contestant& c) { return c.label == entry; });
-    if (twice) return tl::unexpected{InputError{"", "--planners", fmt::format("\"{}\" is named twice", entry), "each once; --runs repeats them"}};
+    const bool twice = std::any_of(contestants.begin(), contestants.end(),
+                                   [&](const Contestant& c) { return c.label == entry; });
+    if (twice)
+      return tl::unexpected{InputError{"", "--planners", fmt::format("\"{}\" is named twice", entry),
+                                       "each once; --runs repeats them"}};
     contestants.push_back(std::move(*contestant));
   }
-  if (contestants.empty()) return tl::unexpected{InputError{"", "--planners", "no planner is named", known_planners()}};
+  if (contestants.empty())
+    return tl::unexpected{InputError{"", "--planners", "no planner is named", known_planners()}};
   return contestants;
 }
 
 /// KEY=A,B makes one contestant of each value, of every planner that has the parameter.
-Parsed<std::vector<Contestant>> with_settings(std::vector<Contestant> contestants, const std::vector<std::string>& settings) {
+Parsed<std::vector<Contestant>> with_settings(std::vector<Contestant> contestants,
+                                              const std::vector<std::string>& settings) {
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0) {
-      return tl::unexpected{InputError{"", "--set", fmt::format("\"{}\" is not KEY=VALUE", setting), "KEY=VALUE or KEY=A,B"}};
+      return tl::unexpected{
+          InputError{"", "--set", fmt::format("\"{}\" is not KEY=VALUE", setting), "KEY=VALUE or KEY=A,B"}};
     }
     const std::string key = setting.substr(0, equals);
     const auto values = split(setting.substr(equals + 1), ',');
-    if (values.empty()) return tl::unexpected{InputError{"", "--set " + key, "it names no value", "KEY=VALUE or KEY=A,B"}};
+    if (values.empty())
+      return tl::unexpected{InputError{"", "--set " + key, "it names no value", "KEY=VALUE or KEY=A,B"}};
     std::vector<Contestant> more;
     bool used = false;
     for (const Contestant& contestant : contestants) {
-      const PlannerDescription* planner = contestant.planner.empty() ? nullptr : find_planner(contestant.planner);
+      const PlannerDescription* planner =
+          contestant.planner.empty() ? nullptr : find_planner(contestant.planner);
       if (planner == nullptr || !has_parameter(*planner, key)) {
         more.push_back(contestant);
         continue;
@@ -101,12 +118,15 @@ Parsed<std::vector<Contestant>> with_settings(std::vector<Contestant> contestant
       used = true;
       for (const std::string& value : values) {
         Contestant one = contestant;
-        if (auto set = set_parameter(*planner, one.parameters, key + "=" + value); !set) return tl::unexpected{set.error()};
+        if (auto set = set_parameter(*planner, one.parameters, key + "=" + value); !set)
+          return tl::unexpected{set.error()};
         one.label += ":" + key + "=" + value;
         more.push_back(std::move(one));
       }
     }
-    if (!used) return tl::unexpected{InputError{"", "--set " + key, "no planner compared has this parameter", "see: waywright list PLANNER"}};
+    if (!used)
+      return tl::unexpected{InputError{"", "--set " + key, "no planner compared has this parameter",
+                                       "see: waywright list PLANNER"}};
     contestants = std::move(more);
   }
   return contestants;
@@ -125,40 +145,59 @@ bool names_budget(const Problem& problem) {
   return limits.evaluations || limits.samples || limits.seconds;
 }
 
-/// One budget for all: what was asked for, or the scenario's own, or the default. Who names `evaluations` for a contestant wants another
-/// one for it, and gets no default. Returns what to say of it.
-Parsed<std::string> set_budget(const CompareArguments& arguments, const std::vector<Problem>& problems, const std::vector<Contestant>& contestants,
-                               CompareOptions& options) {
-  const bool own = std::any_of(contestants.begin(), contestants.end(), [](const Contestant& c) { return c.parameters.contains("evaluations"); });
-  const bool in_scenario = std::any_of(problems.begin(), problems.end(), [](const Problem& p) { return p.scenario().budget.evaluations.has_value(); });
+/// One budget for all: what was asked for, or the scenario's own, or the default. Who names `evaluations` for
+/// a contestant wants another one for it, and gets no default. Returns what to say of it.
+Parsed<std::string> set_budget(const CompareArguments& arguments, const std::vector<Problem>& problems,
+                               const std::vector<Contestant>& contestants, CompareOptions& options) {
+  const bool own = std::any_of(contestants.begin(), contestants.end(),
+                               [](const Contestant& c) { return c.parameters.contains("evaluations"); });
+  const bool in_scenario = std::any_of(problems.begin(), problems.end(), [](const Problem& p) {
+    return p.scenario().budget.evaluations.has_value();
+  });
   if (own && (arguments.evaluations || in_scenario)) {
-    return tl::unexpected{InputError{"", arguments.evaluations ? "--evaluations" : "budget.evaluations of a scenario",
-                                     "a contestant has a number of evaluations of its own, which this budget would take the place of", "one of the two"}};
+    return tl::unexpected{InputError{
+        "", arguments.evaluations ? "--evaluations" : "budget.evaluations of a scenario",
+        "a contestant has a number of evaluations of its own, which this budget would take the place of",
+        "one of the two"}};
   }
   options.budget.evaluations = arguments.evaluations;
-  if (arguments.evaluations) return fmt::format("budget: at most {} evaluations a run, the same for all; who is done earlier stops earlier\n", *arguments.evaluations);
+  if (arguments.evaluations)
+    return fmt::format(
+        "budget: at most {} evaluations a run, the same for all; who is done earlier stops earlier\n",
+        *arguments.evaluations);
   if (own) return std::string{"budget: the numbers of evaluations that the contestants name\n"};
   options.default_evaluations = default_evaluations;
   if (std::any_of(problems.begin(), problems.end(), names_budget)) {
-    return fmt::format("budget: the scenario's, the same for all; at most {} evaluations a run where it names none\n", default_evaluations);
+    return fmt::format(
+        "budget: the scenario's, the same for all; at most {} evaluations a run where it names none\n",
+        default_evaluations);
   }
-  return fmt::format("budget: at most {} evaluations a run, the same for all; who is done earlier stops earlier\n", default_evaluations);
+  return fmt::format(
+      "budget: at most {} evaluations a run, the same for all; who is done earlier stops earlier\n",
+      default_evaluations);
 }
 
 /// Of each contestant its shortest proven path, or else any path; the name says which of its runs that is.
-std::vector<std::pair<std::string, const Plan*>> best_plans(const std::vector<Run>& runs, std::size_t scenario, const std::vector<Contestant>& contestants) {
+std::vector<std::pair<std::string, const Plan*>> best_plans(const std::vector<Run>& runs,
+                                                            std::size_t scenario,
+                                                            const std::vector<Contestant>& contestants) {
   std::vector<std::pair<std::string, const Plan*>> best;
   for (std::size_t c = 0; c < contestants.size(); ++c) {
     const Plan* chosen = nullptr;
     std::size_t all = 0;
-    const auto rank = [](const Plan& p) { return std::pair{p.status == Status::solved ? 0 : p.samples.empty() ? 2 : 1, p.metrics.length}; };
+    const auto rank = [](const Plan& p) {
+      return std::pair{p.status == Status::solved ? 0 : p.samples.empty() ? 2 : 1, p.metrics.length};
+    };
     for (const Run& run : runs) {
       if (run.scenario != scenario || run.contestant != c) continue;
       ++all;
       if (chosen == nullptr || rank(run.plan) < rank(*chosen)) chosen = &run.plan;
     }
     if (chosen == nullptr) continue;
-    best.emplace_back(contestants[c].label + (all > 1 ? fmt::format(", seed {}, the shortest of {} runs", chosen->seed, all) : ""), chosen);
+    best.emplace_back(
+        contestants[c].label +
+            (all > 1 ? fmt::format(", seed {}, the shortest of {} runs", chosen->seed, all) : ""),
+        chosen);
   }
   return best;
 }
@@ -167,7 +206,8 @@ std::vector<std::pair<std::string, const Plan*>> best_plans(const std::vector<Ru
 
 int compare(const CompareArguments& arguments) {
   if (!arguments.suite.empty()) return complain({"", "--suite", "it is not supported yet", "scenario files"});
-  if (arguments.scenarios.empty()) return complain({"", "command line", "SCENARIO is required", "one or more scenario files"});
+  if (arguments.scenarios.empty())
+    return complain({"", "command line", "SCENARIO is required", "one or more scenario files"});
   std::vector<Problem> problems;
   std::vector<std::string> names;
   for (const auto& file : arguments.scenarios) {
@@ -175,7 +215,8 @@ int compare(const CompareArguments& arguments) {
     if (!loaded) return complain(loaded.error());
     note_all(loaded->problem.scenario().map.notes, {});
     if (auto warning = alignment_warning(loaded->problem.scenario())) note_all({}, {*warning});
-    names.push_back(loaded->problem.scenario().name.empty() ? file.stem().string() : loaded->problem.scenario().name);
+    names.push_back(loaded->problem.scenario().name.empty() ? file.stem().string()
+                                                            : loaded->problem.scenario().name);
     problems.push_back(std::move(loaded->problem));
   }
   auto contestants = named_contestants(arguments.planners);
@@ -198,12 +239,16 @@ int compare(const CompareArguments& arguments) {
   text += fmt::format("\nwritten: {0}/compare.csv", arguments.out.string());
   for (std::size_t p = 0; p < problems.size(); ++p) {
     const std::string name = problems.size() == 1 ? "compare.svg" : fmt::format("compare-{}.svg", p + 1);
-    files.push_back({arguments.out / name, overlay_svg(problems[p], best_plans(runs, p, *contestants), 860.0)});
+    files.push_back(
+        {arguments.out / name, overlay_svg(problems[p], best_plans(runs, p, *contestants), 860.0)});
     text += fmt::format(", {}/{}", arguments.out.string(), name);
   }
   if (auto written = write_files(files); !written) return complain(written.error());
   const std::size_t wanted = problems.size() * contestants->size() * static_cast<std::size_t>(arguments.runs);
-  if (runs.size() < wanted) text += fmt::format("\ninterrupted: {} of {} runs are in the tables, as many of each contestant as were done", runs.size(), wanted);
+  if (runs.size() < wanted)
+    text +=
+        fmt::format("\ninterrupted: {} of {} runs are in the tables, as many of each contestant as were done",
+                    runs.size(), wanted);
   return print(text + "\n") && runs.size() == wanted ? solved : not_solved;
 }
 

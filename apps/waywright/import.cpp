@@ -1,8 +1,9 @@
+#include "waywright/judge/import.hpp"
+
 #include <fmt/format.h>
 
 #include "outputs.hpp"
 #include "waywright/io/plan_io.hpp"
-#include "waywright/judge/import.hpp"
 #include "waywright/report/report.hpp"
 #include "waywright/report/words.hpp"
 
@@ -14,14 +15,17 @@ int import(const ImportArguments& arguments) {
   const Problem& problem = loaded->problem;
   auto path = read_poses_csv(arguments.path);
   if (!path) return complain(path.error());
-  const std::filesystem::path folder = arguments.out.value_or(default_folder(problem.scenario().name + "-import"));
+  const std::filesystem::path folder =
+      arguments.out.value_or(default_folder(problem.scenario().name + "-import"));
   if (auto ready = prepare_folder(folder); !ready) return complain(ready.error());
   Plan plan = judge_imported(problem, std::move(*path));
   plan.timing.load = loaded->load;
   plan.timing.prepare = loaded->prepare;
   note_all(plan.scenario.map.notes, warnings(plan));
   if (auto written = write_plan(folder, problem, plan); !written) return complain(written.error());
-  const bool printed = print(plan_text(plan) + fmt::format("written: {0}/plan.json, {0}/plan.svg, {0}/report.html\n", folder.string()));
+  const bool printed =
+      print(plan_text(plan) +
+            fmt::format("written: {0}/plan.json, {0}/plan.svg, {0}/report.html\n", folder.string()));
   return plan.status == Status::solved && printed ? solved : not_solved;
 }
 

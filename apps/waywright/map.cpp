@@ -17,22 +17,27 @@ std::string describe(const std::filesystem::path& file, const Map& map) {
   World world{map};
   world.build();
   const Box box = world.bounds();
-  std::string text = fmt::format("{}: x {:.3f} to {:.3f} m, y {:.3f} to {:.3f} m\n", file.string(), box.low.x, box.high.x, box.low.y, box.high.y);
+  std::string text = fmt::format("{}: x {:.3f} to {:.3f} m, y {:.3f} to {:.3f} m\n", file.string(), box.low.x,
+                                 box.high.x, box.low.y, box.high.y);
   for (const CellGrid& grid : map.grids) {
-    const auto count = [&](std::uint8_t kind) { return std::count(grid.blocked.begin(), grid.blocked.end(), kind); };
-    text += fmt::format("  cells: {} × {} of {} m, origin ({}, {}, {} rad); {} free ({:.1f} m²), {} occupied, {} unknown\n", grid.columns, grid.rows,
-                        grid.cell, grid.origin.x, grid.origin.y, grid.origin.heading, count(0), static_cast<double>(count(0)) * grid.cell * grid.cell,
-                        count(1), count(2));
+    const auto count = [&](std::uint8_t kind) {
+      return std::count(grid.blocked.begin(), grid.blocked.end(), kind);
+    };
+    text += fmt::format(
+        "  cells: {} × {} of {} m, origin ({}, {}, {} rad); {} free ({:.1f} m²), {} occupied, {} unknown\n",
+        grid.columns, grid.rows, grid.cell, grid.origin.x, grid.origin.y, grid.origin.heading, count(0),
+        static_cast<double>(count(0)) * grid.cell * grid.cell, count(1), count(2));
   }
   double area = 0.0;
   for (const Ring& ring : map.obstacles) area += std::abs(signed_area(ring));
-  text += fmt::format("  {} boundaries, {} obstacle polygons ({:.2f} m²), {} lines, {} points\n", map.boundaries.size(), map.obstacles.size(), area,
-                      map.lines.size(), map.points.size());
+  text += fmt::format("  {} boundaries, {} obstacle polygons ({:.2f} m²), {} lines, {} points\n",
+                      map.boundaries.size(), map.obstacles.size(), area, map.lines.size(), map.points.size());
   if (map.alignment) {
     const Pose& t = map.alignment->transform;
     text += fmt::format("  placed at ({:.4f}, {:.4f}, {:.5f} rad)", t.x, t.y, t.heading);
     const std::vector<double>& residuals = map.alignment->residuals;
-    for (std::size_t i = 0; i < residuals.size(); ++i) text += fmt::format("{} {:.4f}", i == 0 ? "; residuals in m:" : ",", residuals[i]);
+    for (std::size_t i = 0; i < residuals.size(); ++i)
+      text += fmt::format("{} {:.4f}", i == 0 ? "; residuals in m:" : ",", residuals[i]);
     text += "\n";
   }
   for (const std::string& repaired : map.notes) text += "  repaired: " + repaired + "\n";
@@ -48,7 +53,9 @@ Parsed<std::pair<Vec2, Vec2>> pair_from(const std::string& text) {
     values[i] = std::strtod(at, &end);
     const char wanted = i == 3 ? '\0' : i == 1 ? '=' : ',';
     if (end == at || *end != wanted || !std::isfinite(values[i])) {
-      return tl::unexpected{InputError{"", "--align", fmt::format("\"{}\" is not a pair of points", text), "X,Y=X,Y: a point on the map and where it lies in the world, in metres"}};
+      return tl::unexpected{
+          InputError{"", "--align", fmt::format("\"{}\" is not a pair of points", text),
+                     "X,Y=X,Y: a point on the map and where it lies in the world, in metres"}};
     }
     at = end + 1;
   }
@@ -71,7 +78,8 @@ int map(const MapArguments& arguments) {
     if (auto ready = prepare_folder_of(*out); !ready) return complain(ready.error());
     if (auto written = write_file(*out, map_json(*map)); !written) return complain(written.error());
   }
-  return print(describe(arguments.file, *map) + (out ? "written: " + out->string() + "\n" : "")) ? solved : not_solved;
+  return print(describe(arguments.file, *map) + (out ? "written: " + out->string() + "\n" : "")) ? solved
+                                                                                                 : not_solved;
 }
 
 }  // namespace waywright::app

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 fs::path default_folder(const std::string& name) {
   std::string safe;
-  for (const char c : name) safe += std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' ? c : '-';
+  for (const char c : name)
+    safe += std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' ? c : '-';
   if (safe.empty()) safe = "plan";
   return fs::path{"waywright-out"} / safe.substr(0, 80);
 }
@@ -24,7 +25,9 @@ fs::path default_folder(const std::string& name) {
 Parsed<void> prepare_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) return tl::unexpected{InputError{folder.string(), "", "the folder cannot be made: " + error.message(), ""}};
+  if (error)
+    return tl::unexpected{
+        InputError{folder.string(), "", "the folder cannot be made: " + error.message(), ""}};
   if (::access(folder.c_str(), W_OK | X_OK) != 0) {
     return tl::unexpected{InputError{folder.string(), "", "the folder cannot be written to", ""}};
   }

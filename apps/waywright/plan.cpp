@@ -16,7 +16,8 @@ Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario) {
   }
   if (arguments.seed) {
     if (*arguments.seed > static_cast<std::uint64_t>(INT64_MAX)) {
-      return tl::unexpected{InputError{"", "--seed", "the number is out of range", "0 to 9223372036854775807"}};
+      return tl::unexpected{
+          InputError{"", "--seed", "the number is out of range", "0 to 9223372036854775807"}};
     }
     scenario.seed = *arguments.seed;
   }
@@ -55,9 +56,11 @@ int plan(const PlanArguments& arguments) {
   if (write) {
     if (auto written = write_plan(folder, problem, *plan); !written) return complain(written.error());
   }
-  const bool printed = arguments.json
-                           ? print_raw(plan_json(*plan))
-                           : print(plan_text(*plan) + fmt::format("written: {0}/plan.json, {0}/plan.svg, {0}/report.html\n", folder.string()));
+  const bool printed =
+      arguments.json
+          ? print_raw(plan_json(*plan))
+          : print(plan_text(*plan) +
+                  fmt::format("written: {0}/plan.json, {0}/plan.svg, {0}/report.html\n", folder.string()));
   return plan->status == Status::solved && printed ? solved : not_solved;
 }
 

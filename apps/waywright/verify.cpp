@@ -3,6 +3,7 @@
 #include "commands.hpp"
 #include "waywright/io/plan_io.hpp"
 #include "waywright/judge/judge.hpp"
+#include "waywright/report/words.hpp"
 
 namespace waywright::app {
 
@@ -18,9 +19,11 @@ int verify(const std::filesystem::path& file) {
   const Certificate& c = verification->fresh.certificate;
   std::string text;
   if (verification->holds) {
-    text = fmt::format("{}: proven again: collision-free over {:.3f} m with at least {:.4f} m of clearance; start, goal, limits, continuity, "
-                       "samples and speed hold\n",
-                       file.string(), c.checked_length, c.clearance);
+    text = fmt::format(
+        "{}: proven again: collision-free over {:.3f} m with {}{} of clearance; start, goal, limits, "
+        "continuity, "
+        "samples and speed hold\n",
+        file.string(), c.checked_length, is_beyond_measure(c) ? "" : "at least ", clearance_words(c));
   } else {
     text = fmt::format("{}: not proven\n", file.string());
     for (const std::string& finding : verification->findings) text += "  - " + finding + "\n";

@@ -49,38 +49,51 @@ std::string chart_svg(const Chart& chart, double width, double height) {
   const auto x_of = [&](double s) { return left + plot_width * s / end; };
   const auto y_of = [&](double v) { return top + plot_height * (high - v) / (high - low); };
 
-  std::string out = fmt::format("<svg class=\"ww\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\"><title>{2}</title>"
-                                "<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n",
-                                fixed(width), fixed(height), escaped(chart.title));
+  std::string out = fmt::format(
+      "<svg class=\"ww\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
+      "height=\"{1}\" role=\"img\"><title>{2}</title>"
+      "<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n",
+      fixed(width), fixed(height), escaped(chart.title));
   for (std::size_t i = 0; i < chart.s.size();) {  // bands by direction
     std::size_t k = i;
     while (k + 1 < chart.s.size() && chart.direction[k + 1] == chart.direction[i]) ++k;
     const double a = x_of(chart.s[i]);
     const double b = x_of(chart.s[k]);
     if (chart.direction[i] != 0) {
-      out += fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", chart.direction[i] > 0 ? "bandfwd" : "bandback",
-                         fixed(a), fixed(top), fixed(b - a), fixed(plot_height));
+      out += fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
+                         chart.direction[i] > 0 ? "bandfwd" : "bandback", fixed(a), fixed(top), fixed(b - a),
+                         fixed(plot_height));
     }
-    if (i > 0) out += fmt::format("<line class=\"change\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n", fixed(a), fixed(top), fixed(top + plot_height));
+    if (i > 0)
+      out += fmt::format("<line class=\"change\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n", fixed(a),
+                         fixed(top), fixed(top + plot_height));
     i = k + 1;
   }
   const double step = round_step(high - low, 4.0);
   for (double v = std::ceil(low / step) * step; v <= high; v += step) {
     const double value = std::abs(v) < 1e-9 * step ? 0.0 : v;
-    out += fmt::format("<line class=\"gridline\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/><text class=\"small end\" x=\"{}\" y=\"{}\">{}</text>\n",
-                       fixed(left), fixed(y_of(v)), fixed(width - right), fixed(y_of(v)), fixed(left - 6), fixed(y_of(v) + 4), fixed(value, 3));
+    out += fmt::format(
+        "<line class=\"gridline\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/><text class=\"small end\" "
+        "x=\"{}\" y=\"{}\">{}</text>\n",
+        fixed(left), fixed(y_of(v)), fixed(width - right), fixed(y_of(v)), fixed(left - 6),
+        fixed(y_of(v) + 4), fixed(value, 3));
   }
   for (const double at : chart.stops) {
-    out += fmt::format("<line class=\"axis\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n", fixed(x_of(at)), fixed(top), fixed(top + plot_height));
+    out += fmt::format("<line class=\"axis\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n",
+                       fixed(x_of(at)), fixed(top), fixed(top + plot_height));
   }
   const double s_step = round_step(end, plot_width / 80.0);
   for (double s = 0.0; s <= end * (1.0 + 1e-9); s += s_step) {
-    out += fmt::format("<line class=\"gridline\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/><text class=\"small middle\" x=\"{0}\" y=\"{3}\">{4}</text>\n",
-                       fixed(x_of(s)), fixed(top), fixed(top + plot_height), fixed(top + plot_height + 16), fixed(s));
+    out += fmt::format(
+        "<line class=\"gridline\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/><text class=\"small middle\" "
+        "x=\"{0}\" y=\"{3}\">{4}</text>\n",
+        fixed(x_of(s)), fixed(top), fixed(top + plot_height), fixed(top + plot_height + 16), fixed(s));
   }
-  out += fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">s in m</text>", fixed(4.0), fixed(top + plot_height + 16));
+  out += fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">s in m</text>", fixed(4.0),
+                     fixed(top + plot_height + 16));
   std::string points;
-  for (std::size_t i = 0; i < chart.s.size(); ++i) points += fixed(x_of(chart.s[i])) + "," + fixed(y_of(chart.value[i])) + " ";
+  for (std::size_t i = 0; i < chart.s.size(); ++i)
+    points += fixed(x_of(chart.s[i])) + "," + fixed(y_of(chart.value[i])) + " ";
   out += fmt::format("<polyline class=\"curve\" points=\"{}\"/>\n", points);
   std::vector<double> names;  // where names stand: two limits close together keep theirs apart
   for (const ChartLimit& limit : chart.limits) {
@@ -89,10 +102,14 @@ std::string chart_svg(const Chart& chart, double width, double height) {
       if (std::abs(y - other) < 13.0) y = other + (y < other ? -13.0 : 13.0);
     }
     names.push_back(y);
-    out += fmt::format("<line class=\"limit\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/><text class=\"small\" x=\"{}\" y=\"{}\">{}</text>\n", fixed(left),
-                       fixed(y_of(limit.value)), fixed(width - right), fixed(y_of(limit.value)), fixed(width - right + 6), fixed(y), escaped(limit.name));
+    out += fmt::format(
+        "<line class=\"limit\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/><text class=\"small\" x=\"{}\" "
+        "y=\"{}\">{}</text>\n",
+        fixed(left), fixed(y_of(limit.value)), fixed(width - right), fixed(y_of(limit.value)),
+        fixed(width - right + 6), fixed(y), escaped(limit.name));
   }
-  out += fmt::format("<text class=\"title\" x=\"{}\" y=\"16\">{}</text></svg>\n", fixed(left), escaped(chart.title));
+  out += fmt::format("<text class=\"title\" x=\"{}\" y=\"16\">{}</text></svg>\n", fixed(left),
+                     escaped(chart.title));
   return out;
 }
 

@@ -37,7 +37,8 @@ Chart clearance_chart(const Problem& problem, const Plan& plan) {
   // What is near matters: metres of room would press the requirement and the last approach into the axis.
   const double top = std::max(least_top, top_factor * required);
   const bool over = *std::max_element(clearance.begin(), clearance.end()) > top;
-  Chart chart = chart_of(over ? fmt::format("Clearance in m, cut off at {:g} m", top) : "Clearance in m", plan, [&](std::size_t i) { return std::min(clearance[i], top); });
+  Chart chart = chart_of(over ? fmt::format("Clearance in m, cut off at {:g} m", top) : "Clearance in m",
+                         plan, [&](std::size_t i) { return std::min(clearance[i], top); });
   if (required > 0.0) chart.limits = {{required, "required"}};
   return chart;
 }
@@ -49,11 +50,15 @@ std::string charts_html(const Problem& problem, const Plan& plan) {
   const Vehicle& vehicle = plan.scenario.vehicle;
   const auto& samples = plan.samples;
   std::vector<Chart> charts;
-  charts.push_back(chart_of("Curvature in 1/m, left positive", plan, [&](std::size_t i) { return samples[i].curvature; }));
-  if (const double k = vehicle.max_curvature(); std::isfinite(k) && k < 100.0) charts.back().limits = {{k, "limit"}, {-k, "limit"}};
+  charts.push_back(
+      chart_of("Curvature in 1/m, left positive", plan, [&](std::size_t i) { return samples[i].curvature; }));
+  if (const double k = vehicle.max_curvature(); std::isfinite(k) && k < 100.0)
+    charts.back().limits = {{k, "limit"}, {-k, "limit"}};
   if (const auto* tricycle = std::get_if<Tricycle>(&vehicle.drive)) {
     // The followed curve bends in the direction of travel; backwards the same angle bends it the other way.
-    charts.push_back(chart_of("Steering angle in degrees", plan, [&](std::size_t i) { return degrees * vehicle.steering_angle(samples[i].direction * samples[i].curvature); }));
+    charts.push_back(chart_of("Steering angle in degrees", plan, [&](std::size_t i) {
+      return degrees * vehicle.steering_angle(samples[i].direction * samples[i].curvature);
+    }));
     const double most = degrees * tricycle->max_steering;
     charts.back().limits = {{most, "limit"}, {-most, "limit"}};
   }
@@ -64,13 +69,19 @@ std::string charts_html(const Problem& problem, const Plan& plan) {
   charts.back().limits = {{limits.speed, alike ? "limit" : "limit forw."}};
   if (!alike) charts.back().limits.push_back({limits.reverse_speed, "limit backw."});
 
-  std::string out = fmt::format("<p class=\"soft\">Orange ground: backwards, blue ground: forwards. Dotted line: change of direction{}.{}</p>\n",
-                                steering_stops(plan).empty() ? "" : ", solid line: stop where the curvature jumps",
-                                problem.required_clearance() > 0.0 ? fmt::format(" Required: {} m of clearance{}.", fixed(problem.required_clearance(), 4),
-                                                                                 problem.pose_error_margin() > 0.0 ? fmt::format(", {} m of it for the pose error", fixed(problem.pose_error_margin(), 4)) : "")
-                                                                   : "");
+  std::string out = fmt::format(
+      "<p class=\"soft\">Orange ground: backwards, blue ground: forwards. Dotted line: change of "
+      "direction{}.{}</p>\n",
+      steering_stops(plan).empty() ? "" : ", solid line: stop where the curvature jumps",
+      problem.required_clearance() > 0.0
+          ? fmt::format(" Required: {} m of clearance{}.", fixed(problem.required_clearance(), 4),
+                        problem.pose_error_margin() > 0.0 ? fmt::format(", {} m of it for the pose error",
+                                                                        fixed(problem.pose_error_margin(), 4))
+                                                          : "")
+          : "");
   for (const Chart& chart : charts) {
-    out += "<div class=\"broad\">" + chart_svg(chart, broad, height) + "</div><div class=\"narrow\">" + chart_svg(chart, narrow, height) + "</div>\n";
+    out += "<div class=\"broad\">" + chart_svg(chart, broad, height) + "</div><div class=\"narrow\">" +
+           chart_svg(chart, narrow, height) + "</div>\n";
   }
   return out;
 }

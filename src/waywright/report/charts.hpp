@@ -8,8 +8,8 @@
 
 namespace waywright {
 
-/// Curvature, steering angle (of a tricycle), clearance and speed, each in two widths of which a page shows the one that fits; what the
-/// colours mean. Empty where there is no path.
+/// Curvature, steering angle (of a tricycle), clearance and speed, each in two widths of which a page shows
+/// the one that fits; what the colours mean. Empty where there is no path.
 std::string charts_html(const Problem& problem, const Plan& plan);
 
 }  // namespace waywright

@@ -28,21 +28,26 @@ svg{max-width:100%;height:auto;display:block}.legend{list-style:none;padding:0;d
 .legend li{margin:0;display:flex;align-items:center;gap:6px}.legend svg{flex:none}.narrow{display:none}table{border-collapse:collapse;width:100%}th,td{text-align:left;padding:4px 8px 4px 0;border-bottom:1px solid var(--line);vertical-align:top}
 th{font-weight:600}td .soft{display:block}td.number{white-space:nowrap}tr.chosen{background:var(--tint)}ul{padding-left:20px;margin:0}li{margin:5px 0}
 @media(max-width:640px){body{padding:14px 12px}.columns{gap:8px}.columns>div,.columns>.wide{flex-basis:100%}.broad{display:none}.narrow{display:block}
-.scene .ww .small,.scene .ww .note,.scene .ww .number,.scene .ww .tighttext{font-size:24px}.scene .ww .name{font-size:28px}.scene .ww .tighttext.note{font-size:22px}.scene .ww .fwd,.scene .ww .back{stroke-width:5}}
+.scene .ww .small,.scene .ww .note,.scene .ww .number{font-size:24px}.scene .ww .tighttext,.scene .ww .name{font-size:28px}.scene .ww .tighttext.note{font-size:22px}.scene .ww .fwd,.scene .ww .back{stroke-width:5}}
 @media print{body{max-width:none}.columns{display:block}}
 )";
 
 std::string top(const Plan& plan) {
   const bool good = plan.status == Status::solved;
   const std::string name = plan.scenario.name.empty() ? "Plan" : plan.scenario.name;
-  std::string out = fmt::format("<h1>{}</h1>\n<p class=\"verdict {}\">{}</p>\n", escaped(name), good ? "good" : "bad", escaped(headline(plan)));
+  std::string out = fmt::format("<h1>{}</h1>\n<p class=\"verdict {}\">{}</p>\n", escaped(name),
+                                good ? "good" : "bad", escaped(headline(plan)));
   if (!plan.reason.empty()) out += fmt::format("<p>{}</p>\n", escaped(reason_once(plan)));
-  for (const std::string& warning : warnings(plan)) out += fmt::format("<p class=\"warn\">{}</p>\n", escaped(warning));
+  for (const std::string& warning : warnings(plan))
+    out += fmt::format("<p class=\"warn\">{}</p>\n", escaped(warning));
   const std::vector<std::string>& repairs = plan.scenario.map.notes;
   if (!repairs.empty()) {
     out += "<p class=\"warn\">Repaired on loading: ";
-    for (std::size_t i = 0; i < repairs.size() && i < most_repairs; ++i) out += (i > 0 ? "; " : "") + escaped(repairs[i]);
-    out += repairs.size() > most_repairs ? fmt::format("; and {} more, see Scenario.</p>\n", repairs.size() - most_repairs) : ".</p>\n";
+    for (std::size_t i = 0; i < repairs.size() && i < most_repairs; ++i)
+      out += (i > 0 ? "; " : "") + escaped(repairs[i]);
+    out += repairs.size() > most_repairs
+               ? fmt::format("; and {} more, see Scenario.</p>\n", repairs.size() - most_repairs)
+               : ".</p>\n";
   }
   return out;
 }
@@ -50,17 +55,25 @@ std::string top(const Plan& plan) {
 std::string proven(const Plan& plan) {
   const Certificate& c = plan.certificate;
   if (!(c.checked_length > 0.0)) return {};
-  if (!c.collision_free) return "<h2>What is proven</h2>\n<p>No clearance could be proven for this path.</p>\n";
+  if (!c.collision_free)
+    return "<h2>What is proven</h2>\n<p>No clearance could be proven for this path.</p>\n";
   if (plan.status != Status::solved) {
-    return fmt::format("<h2>What is proven</h2>\n<p>The footprint keeps {} from everything, but the path is not what was asked for: {}</p>\n", clearance_words(c),
-                       escaped(as_sentence(plan.reason)));
+    return fmt::format(
+        "<h2>What is proven</h2>\n<p>The footprint keeps {} from everything, but the path is not what was "
+        "asked for: {}</p>\n",
+        clearance_words(c), escaped(as_sentence(plan.reason)));
   }
-  const std::string nearer = is_beyond_measure(c) ? "every point of the footprint stays " + clearance_words(c) + " from anything"
-                                                  : "no point of the footprint comes nearer than " + clearance_words(c) + " to anything";
-  return fmt::format("<h2>What is proven</h2>\n<p>Along {:.3f} m of exact curves, between the samples too, {} on the map, at any pose within the pose error. The bound is at "
-                     "most {:.1f} mm under the truth. Assumed: the map shows everything, the footprint covers the whole vehicle, and the vehicle stays within the pose "
-                     "error.</p>\n",
-                     c.checked_length, nearer, 1000.0 * c.tolerance);
+  const std::string nearer =
+      is_beyond_measure(c)
+          ? "every point of the footprint stays " + clearance_words(c) + " from anything"
+          : "no point of the footprint comes nearer than " + clearance_words(c) + " to anything";
+  return fmt::format(
+      "<h2>What is proven</h2>\n<p>Along {:.3f} m of exact curves, between the samples too, {} on the map, "
+      "at any pose within the pose error. The bound is at "
+      "most {:.1f} mm under the truth. Assumed: the map shows everything, the footprint covers the whole "
+      "vehicle, and the vehicle stays within the pose "
+      "error.</p>\n",
+      c.checked_length, nearer, 1000.0 * c.tolerance);
 }
 
 std::string side(const Problem& problem, const Plan& plan) {
@@ -76,20 +89,28 @@ std::string side(const Problem& problem, const Plan& plan) {
 
 }  // namespace
 
-std::string plan_svg(const Problem& problem, const Plan& plan) { return scene_svg(problem, plan, picture_width); }
+std::string plan_svg(const Problem& problem, const Plan& plan) {
+  return scene_svg(problem, plan, picture_width);
+}
 
 std::string report_html(const Problem& problem, const Plan& plan) {
-  std::string out = fmt::format("<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
-                                "<title>{}</title>\n<style>{}</style></head>\n<body>\n",
-                                escaped(plan.scenario.name.empty() ? "Plan" : plan.scenario.name), page_styles);
-  out += top(plan) + "<div class=\"columns\"><div class=\"wide\">\n" + scene_html(problem, plan, picture_width);
-  if (const std::string along = charts_html(problem, plan); !along.empty()) out += "<h2>Along the path</h2>\n" + along;
+  std::string out = fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width\">"
+      "<title>{}</title>\n<style>{}</style></head>\n<body>\n",
+      escaped(plan.scenario.name.empty() ? "Plan" : plan.scenario.name), page_styles);
+  out +=
+      top(plan) + "<div class=\"columns\"><div class=\"wide\">\n" + scene_html(problem, plan, picture_width);
+  if (const std::string along = charts_html(problem, plan); !along.empty())
+    out += "<h2>Along the path</h2>\n" + along;
   out += "</div><div>\n" + side(problem, plan) + "</div></div>\n";
   if (!plan.samples.empty()) out += alternatives_table(plan);
   out += "<h2>Scenario</h2>\n" + scenario_table(problem, plan);
-  out += fmt::format("<p class=\"soft\">waywright {}</p>\n<p class=\"soft\" id=\"timing\">load {:.1f} ms, prepare {:.1f} ms, plan {:.1f} ms, prove {:.1f} ms</p>\n</body>\n</html>\n",
-                     escaped(plan.version), 1000.0 * plan.timing.load, 1000.0 * plan.timing.prepare, 1000.0 * plan.timing.plan,
-                     1000.0 * plan.timing.prove);
+  out += fmt::format(
+      "<p class=\"soft\">waywright {}</p>\n<p class=\"soft\" id=\"timing\">load {:.1f} ms, prepare {:.1f} "
+      "ms, plan {:.1f} ms, prove {:.1f} ms</p>\n</body>\n</html>\n",
+      escaped(plan.version), 1000.0 * plan.timing.load, 1000.0 * plan.timing.prepare,
+      1000.0 * plan.timing.plan, 1000.0 * plan.timing.prove);
   return out;
 }
 

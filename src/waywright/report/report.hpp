@@ -9,8 +9,8 @@
 
 namespace waywright {
 
-/// plan.svg: map, station, both sides' transition zones, alternatives, swept footprint, path coloured by direction, tightest
-/// spot, scale bar, legend. Stands alone.
+/// plan.svg: map, station, both sides' transition zones, alternatives, swept footprint, path coloured by
+/// direction, tightest spot, scale bar, legend. Stands alone.
 std::string plan_svg(const Problem& problem, const Plan& plan);
 
 /// report.html: one self-contained file.

@@ -14,60 +14,8 @@
 namespace waywright {
 namespace {
 
-constexpr double sweep_step = 0.03;  // m between the footprints of the swept area
-constexpr double ghost_step = 0.75;  // m between drawn outlines
-
-constexpr std::array<const char*, 8> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7a828a", "#b3a100"};
-
-void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose, const char* name) {
-  svg.polygon(outline_at(footprint, pose), "vehicle");
-  const Frame frame{pose};
-  const double front = footprint.front();
-  const Vec2 tip = frame.to_world(Vec2{front, 0.0});
-  svg.line(pose.position(), tip, "heading");
-  const double head = std::min(0.25, 0.3 * std::max(front, 0.2));
-  svg.polyline({frame.to_world(Vec2{front - head, 0.6 * head}), tip, frame.to_world(Vec2{front - head, -0.6 * head})}, "heading");
-  svg.label(pose.position(), {6.0, -6.0}, name, "name");
-}
-
-/// Runs of equal direction as polylines.
-void draw_path(SvgWriter& svg, const std::vector<Sample>& samples) {
-  for (std::size_t i = 0; i < samples.size();) {
-    std::size_t end = i;
-    std::vector<Vec2> points;
-    while (end < samples.size() && samples[end].direction == samples[i].direction) points.push_back(samples[end++].pose().position());
-    svg.polyline(points, samples[i].direction > 0 ? "fwd" : samples[i].direction < 0 ? "back" : "turn");
-    i = end;
-  }
-  double next = 0.6;
-  for (const Sample& s : samples) {  // arrow heads in the direction of travel
-    if (s.s < next || s.direction == 0) continue;
-    next = s.s + 1.5;
-    const Frame frame{make_pose({s.x, s.y}, s.course)};
-    const double a = 7.0 / svg.view().scale;
-    svg.polygon({frame.to_world(Vec2{a, 0.0}), frame.to_world(Vec2{-a, 0.75 * a}), frame.to_world(Vec2{-a, -0.75 * a})},
-                s.direction > 0 ? "fwdmark" : "backmark");
-  }
-}
-
-void draw_sweep(SvgWriter& svg, const Footprint& footprint, const std::vector<Sample>& samples) {
-  std::vector<Ring> rings;
-  std::vector<Ring> ghosts;
-  double next = 0.0;
-  double next_ghost = 0.0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Sample& s = samples[i];
-    if (s.s < next && i + 1 < samples.size() && s.direction != 0) continue;
-    next = s.s + sweep_step;
-    rings.push_back(outline_at(footprint, s.pose()));
-    if (s.s >= next_ghost) {
-      next_ghost = s.s + ghost_step;
-      ghosts.push_back(rings.back());
-    }
-  }
-  svg.union_of(rings, "sweep");
-  for (const Ring& ghost : ghosts) svg.polygon(ghost, "ghost");
-}
+constexpr std::array<const char*, 8> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                             "#e69f00", "#56b4e9", "#7a828a", "#b3a100"};
 
 /// The point of a curve that is farthest from everything else that is drawn, for its name.
 Vec2 calm_point(const std::vector<Vec2>& curve, const std::vector<Vec2>& busy) {
@@ -84,19 +32,36 @@ Vec2 calm_point(const std::vector<Vec2>& curve, const std::vector<Vec2>& busy) {
   return best;
 }
 
-/// Writes beside a point, on the side that `away` points to (pixels), moved into the map where it would be cut off; `letters` is how wide
-/// the widest line there is at least. Returns the offset from the point.
-Vec2 label_beside(SvgWriter& svg, const Canvas& canvas, Vec2 point, Vec2 away, const std::string& text, double letters, std::string_view style_class) {
+struct Label {
+  std::string text;
+  std::string style_class;
+  std::string below = {};  ///< a second, smaller line; may be empty
+};
+
+/// Writes beside a point, on the side that `away` points to (pixels), moved into the map where it would be
+/// cut off.
+void label_beside(SvgWriter& svg, const Canvas& canvas, Vec2 point, Vec2 away, const Label& label) {
   const double length = norm(away);
   const Vec2 d = length > 0.0 ? (1.0 / length) * away : Vec2{0.0, 1.0};
-  const double needed = 7.0 * std::max(letters, static_cast<double>(text.size()));
+  const double letter = label.style_class == "note" ? 6.4 : 9.0;  // px, about
+  const double needed = std::max(letter * static_cast<double>(label.text.size()),
+                                 6.9 * static_cast<double>(label.below.size()));
   const Vec2 at = canvas.view(point);
   const double x = at.x + 12.0 * d.x - (d.x < -0.3 ? needed : d.x < 0.3 ? 0.5 * needed : 0.0);
-  const double y = at.y + 16.0 * d.y + 5.0;
-  const Vec2 kept{std::clamp(x, left_gutter + 4.0, std::max(left_gutter + 4.0, canvas.width - needed - 4.0)),
-                  std::clamp(y, 16.0, canvas.height - bottom_gutter - 6.0)};
-  svg.label(point, kept - at, text, style_class);
-  return kept - at;
+  double y = at.y + 16.0 * d.y + 5.0;
+  if (!label.below.empty() && d.y < -0.3) y -= 14.0;  // the second line stays above the point too
+  double kept = std::clamp(x, left_gutter + 4.0, std::max(left_gutter + 4.0, canvas.width - needed - 4.0));
+  // Moved along, it would stand on what it names.
+  if (std::abs(kept - x) > 0.3 * needed) y += d.y < 0.0 ? -26.0 : 14.0;
+  y = std::clamp(y, 16.0, canvas.height - bottom_gutter - 6.0);
+  // On a narrow page letters are larger: near the right edge they grow to the left.
+  const bool from_right = kept + 2.6 * needed > canvas.width;
+  if (from_right) kept += needed;
+  const std::string anchor = from_right ? " end" : "";
+  svg.label(point, Vec2{kept, y} - at, label.text, label.style_class + anchor);
+  if (label.below.empty()) return;
+  svg.raw(fmt::format("<text class=\"{} note{}\" x=\"{}\" y=\"{}\" dy=\"1.2em\">{}</text>\n",
+                      label.style_class, anchor, fixed(kept), fixed(y), escaped(label.below)));
 }
 
 /// The footprint's point nearest to an obstacle's.
@@ -133,13 +98,18 @@ class Scene {
     std::vector<LegendEntry> entries;
     const auto& footprint = problem_.footprint();
     const bool forks = std::holds_alternative<Station>(problem_.scenario().mission) && !footprint.is_disc();
-    const char* end = problem_.is_driven_back() ? ", E end" : std::holds_alternative<Station>(problem_.scenario().mission) ? ", D docked" : ", G goal";
-    entries.push_back({"", Shape::none, fmt::format("S start{}{}", turns_ ? ", T change of direction" : "", end)});
+    const char* end = problem_.is_driven_back()                                      ? ", E end"
+                      : std::holds_alternative<Station>(problem_.scenario().mission) ? ", D docked"
+                                                                                     : ", G goal";
+    entries.push_back(
+        {"", Shape::none, fmt::format("S start{}{}", turns_ ? ", T change of direction" : "", end)});
     if (!plan_.samples.empty()) {
       const auto drives = [&](int direction) {
-        return std::any_of(plan_.samples.begin(), plan_.samples.end(), [&](const Sample& s) { return s.direction == direction; });
+        return std::any_of(plan_.samples.begin(), plan_.samples.end(),
+                           [&](const Sample& s) { return s.direction == direction; });
       };
-      if (drives(-1)) entries.push_back({"back", Shape::line, forks ? "backwards (chassis first)" : "backwards"});
+      if (drives(-1))
+        entries.push_back({"back", Shape::line, forks ? "backwards (chassis first)" : "backwards"});
       if (drives(1)) entries.push_back({"fwd", Shape::line, forks ? "forwards (forks first)" : "forwards"});
       entries.push_back({"sweep", Shape::box, "swept by the footprint"});
     }
@@ -150,10 +120,18 @@ class Scene {
       entries.push_back({"area", Shape::line, "station"});
     }
     if (zones_) entries.push_back({"zone", Shape::box, "where the change of direction was searched"});
-    if (others_) entries.push_back({"alt", Shape::line, plan_.samples.empty() ? "tried in vain, as far as it came" : "the best that was not taken"});
+    if (others_)
+      entries.push_back(
+          {"alt", Shape::line,
+           plan_.samples.empty() ? "tried in vain, as far as it came" : "the best that was not taken"});
     if (blocked_) entries.push_back({"hit", Shape::box, "where it touches or comes too near"});
-    if (tight_) entries.push_back({"tightdot", Shape::dot, plan_.certificate.collision_free ? "tightest spot" : "contact"});
-    if (off_straight_) entries.push_back({"spot", Shape::dot, problem_.is_driven_back() ? "tightest after the first straight" : "tightest before the final straight"});
+    if (tight_)
+      entries.push_back(
+          {"tightdot", Shape::dot, plan_.certificate.collision_free ? "tightest spot" : "contact"});
+    if (off_straight_)
+      entries.push_back({"spot", Shape::dot,
+                         problem_.is_driven_back() ? "tightest after the first straight"
+                                                   : "tightest before the final straight"});
     if (numbered_) entries.push_back({"", Shape::none, "0, 1, 2 …: obstacles as the text names them"});
     return entries;
   }
@@ -162,7 +140,11 @@ class Scene {
   SvgWriter& svg() { return svg_; }
 
  private:
-  const char* end_name() const { return problem_.is_driven_back() ? "E" : std::holds_alternative<Station>(problem_.scenario().mission) ? "D" : "G"; }
+  const char* end_name() const {
+    return problem_.is_driven_back()                                      ? "E"
+           : std::holds_alternative<Station>(problem_.scenario().mission) ? "D"
+                                                                          : "G";
+  }
 
   /// Zones mean something beside a shelf; about a free goal they are half planes that cover the whole map.
   void draw_zones() {
@@ -182,7 +164,8 @@ class Scene {
       busy.insert(busy.end(), ring.begin(), ring.end());
       busy.push_back(pose.position());
     }
-    for (std::size_t i = 0; i < plan_.samples.size(); i += 8) busy.push_back(plan_.samples[i].pose().position());
+    for (std::size_t i = 0; i < plan_.samples.size(); i += 8)
+      busy.push_back(plan_.samples[i].pose().position());
     if (plan_.certificate.tightest) busy.push_back(plan_.certificate.tightest_point);
     return busy;
   }
@@ -196,9 +179,11 @@ class Scene {
       for (const Pose& p : a.poses) points.push_back(p.position());
       svg_.polyline(points, "alt");
       const bool side = a.zone.size() >= 3;
-      const std::string text = !a.cost ? a.name + ": no way" : side ? fmt::format("{}: cost {:.3f}", a.name, *a.cost) : fmt::format("{}: {:.2f} m", a.name, *a.cost);
+      const std::string text = !a.cost ? a.name + ": no way"
+                               : side  ? fmt::format("{}: cost {:.3f}", a.name, *a.cost)
+                                       : fmt::format("{}: {:.2f} m", a.name, *a.cost);
       const Vec2 at = calm_point(points, busy);
-      label_beside(svg_, canvas_, at, {1.0, 0.0}, text, 0.0, "note");
+      label_beside(svg_, canvas_, at, {1.0, 0.0}, {text, "note"});
       busy.push_back(at);
     }
   }
@@ -233,19 +218,21 @@ class Scene {
     svg_.polygon(outline_at(problem_.footprint(), *c.tightest), blocked_ ? "hit" : "ghost");
     svg_.line(on, c.tightest_point, "tight");
     svg_.dot(c.tightest_point, blocked_ ? 4.5 : 3.5, "tightdot");
-    const Vec2 away{c.tightest_point.x - on.x, on.y - c.tightest_point.y};
-    const Vec2 at = label_beside(svg_, canvas_, c.tightest_point, away, gap > 0.0 ? fmt::format("{:.1f} mm", 1000.0 * gap) : "touches", 20.0, "tighttext name");
-    if (c.collision_free && problem_.pose_error_margin() > 0.0) {
-      const Vec2 below = canvas_.view(c.tightest_point) + at;
-      svg_.raw(fmt::format("<text class=\"tighttext note\" x=\"{}\" y=\"{}\" dy=\"1.2em\">{:.1f} with pose error</text>\n", fixed(below.x), fixed(below.y),
-                           millimetres_down(c.clearance)));
-    }
+    // Straight beside the vehicle the name leans to the side of it on which the spot lies.
+    const Box body = bounding_box(outline_at(problem_.footprint(), *c.tightest));
+    const Vec2 from_middle = on - 0.5 * (body.low + body.high);
+    const Vec2 away{c.tightest_point.x - on.x, on.y - c.tightest_point.y - 1e-3 * from_middle.y};
+    const bool second_line = c.collision_free && problem_.pose_error_margin() > 0.0;
+    label_beside(svg_, canvas_, c.tightest_point, away,
+                 {gap > 0.0 ? fmt::format("{:.1f} mm", 1000.0 * gap) : "touches", "tighttext",
+                  second_line ? fmt::format("{:.1f} with pose error", 1000.0 * c.clearance) : ""});
     if (const auto spot = c.collision_free ? tightest_off_straight(problem_, plan_) : std::nullopt) {
       off_straight_ = true;
       const Vec2 near = point_on(problem_.footprint(), spot->pose, spot->point);
       svg_.line(near, spot->point, "spotline");
       svg_.dot(near, 3.5, "spot");
-      label_beside(svg_, canvas_, near, {near.x - spot->point.x, spot->point.y - near.y}, fmt::format("{:.0f} mm", 1000.0 * spot->clearance), 8.0, "note");
+      label_beside(svg_, canvas_, near, {near.x - spot->point.x, spot->point.y - near.y},
+                   {fmt::format("{:.0f} mm", 1000.0 * spot->clearance), "note"});
     }
   }
 
@@ -253,13 +240,17 @@ class Scene {
   const Plan& plan_;
   Canvas canvas_;
   SvgWriter svg_;
-  bool zones_ = false, others_ = false, numbered_ = false, turns_ = false, stops_ = false, blocked_ = false, tight_ = false, off_straight_ = false;
+  bool zones_ = false, others_ = false, numbered_ = false, turns_ = false, stops_ = false, blocked_ = false,
+       tight_ = false, off_straight_ = false;
 };
 
 std::string framed(std::string body, double width, double height, std::string_view title) {
-  return fmt::format("<svg class=\"ww\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\">\n"
-                     "<title>{2}</title>\n<style>{3}</style>\n<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n{4}</svg>\n",
-                     fixed(width), fixed(height), escaped(title), picture_styles(), body);
+  return fmt::format(
+      "<svg class=\"ww\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
+      "height=\"{1}\" role=\"img\">\n"
+      "<title>{2}</title>\n<style>{3}</style>\n<rect class=\"paper\" width=\"{0}\" "
+      "height=\"{1}\"/>\n{4}</svg>\n",
+      fixed(width), fixed(height), escaped(title), picture_styles(), body);
 }
 
 }  // namespace
@@ -275,11 +266,14 @@ std::string scene_svg(const Problem& problem, const Plan& plan, double width) {
 std::string scene_html(const Problem& problem, const Plan& plan, double width) {
   Scene scene{problem, plan, width};
   scene.draw();
-  return "<div class=\"scene\">\n" + framed(scene.svg().take(), std::max(scene.canvas().width, 320.0), scene.canvas().height + 26.0, problem.scenario().name) +
+  return "<div class=\"scene\">\n" +
+         framed(scene.svg().take(), std::max(scene.canvas().width, 320.0), scene.canvas().height + 26.0,
+                problem.scenario().name) +
          legend_html(scene.legend()) + "</div>\n";
 }
 
-std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std::string, const Plan*>>& plans, double width) {
+std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std::string, const Plan*>>& plans,
+                        double width) {
   std::vector<const Plan*> all;
   for (const auto& [name, plan] : plans) all.push_back(plan);
   const Scenario& scenario = problem.scenario();
@@ -297,12 +291,17 @@ std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std:
       for (const Sample& s : plan->samples) points.push_back({s.x, s.y});
       svg.coloured_polyline(points, colour);
     }
-    legend += fmt::format("<line x1=\"12\" y1=\"{0}\" x2=\"40\" y2=\"{0}\" stroke=\"{1}\" stroke-width=\"3\"/><text class=\"small\" x=\"48\" y=\"{2}\">{3} ({4})</text>\n",
-                          fixed(y - 4), colour, fixed(y), escaped(name), to_string(plan->status));
+    legend += fmt::format(
+        "<line x1=\"12\" y1=\"{0}\" x2=\"40\" y2=\"{0}\" stroke=\"{1}\" stroke-width=\"3\"/><text "
+        "class=\"small\" x=\"48\" y=\"{2}\">{3} ({4})</text>\n",
+        fixed(y - 4), colour, fixed(y), escaped(name), to_string(plan->status));
     y += 18.0;
   }
   draw_vehicle(svg, problem.footprint(), problem.first_pose(), "S");
-  draw_vehicle(svg, problem.footprint(), problem.last_pose(), problem.is_driven_back() ? "E" : std::holds_alternative<Station>(scenario.mission) ? "D" : "G");
+  draw_vehicle(svg, problem.footprint(), problem.last_pose(),
+               problem.is_driven_back()                            ? "E"
+               : std::holds_alternative<Station>(scenario.mission) ? "D"
+                                                                   : "G");
   svg.close_group();
   draw_axes(svg, canvas);
   draw_scale(svg, canvas);

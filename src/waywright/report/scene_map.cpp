@@ -26,7 +26,8 @@ Box region_of(const Problem& problem, const std::vector<const Plan*>& plans) {
     add(station->shelf.outline());
   }
   for (const Plan* plan : plans) {
-    for (std::size_t i = 0; i < plan->samples.size(); i += 10) add(outline_at(problem.footprint(), plan->samples[i].pose()));
+    for (std::size_t i = 0; i < plan->samples.size(); i += 10)
+      add(outline_at(problem.footprint(), plan->samples[i].pose()));
   }
   Box box = bounding_box(points);
   // A map that is not much larger is shown whole.
@@ -46,7 +47,9 @@ void draw_cells(SvgWriter& svg, const CellGrid& grid, const Box& region) {
   std::vector<Vec2> local;
   for (const Vec2 p : rectangle(region.low, region.high)) local.push_back(frame.to_local(p));
   const Box box = bounding_box(local);
-  const auto clamped = [](double v, int most) { return static_cast<int>(std::clamp(std::floor(v), 0.0, static_cast<double>(most))); };
+  const auto clamped = [](double v, int most) {
+    return static_cast<int>(std::clamp(std::floor(v), 0.0, static_cast<double>(most)));
+  };
   const int c0 = clamped(box.low.x / grid.cell, grid.columns);
   const int c1 = clamped(box.high.x / grid.cell + 1.0, grid.columns);
   const int r0 = clamped(grid.rows - box.high.y / grid.cell, grid.rows);
@@ -59,7 +62,8 @@ void draw_cells(SvgWriter& svg, const CellGrid& grid, const Box& region) {
         if (row[c] != kind) continue;
         const int first = c;
         while (c < c1 && row[c] == kind) ++c;
-        runs.push_back({grid.corner(first, r + 1), grid.corner(c, r + 1), grid.corner(c, r), grid.corner(first, r)});
+        runs.push_back(
+            {grid.corner(first, r + 1), grid.corner(c, r + 1), grid.corner(c, r), grid.corner(first, r)});
       }
     }
     svg.union_of(runs, kind == 1 ? "cell" : "unknown");
@@ -89,8 +93,10 @@ bool draw_numbers(SvgWriter& svg, const Map& map, const Box& region) {
     svg.label(at, offset, text, "number");
     any = true;
   };
-  for (std::size_t i = 0; i < map.obstacles.size(); ++i) number(map.obstacles[i], middle_of(map.obstacles[i]), {0.0, 4.0}, fmt::format("{}", i));
-  for (std::size_t i = 0; i < map.lines.size(); ++i) number(map.lines[i], middle_of(map.lines[i]), {22.0, 4.0}, fmt::format("line {}", i));
+  for (std::size_t i = 0; i < map.obstacles.size(); ++i)
+    number(map.obstacles[i], middle_of(map.obstacles[i]), {0.0, 4.0}, fmt::format("{}", i));
+  for (std::size_t i = 0; i < map.lines.size(); ++i)
+    number(map.lines[i], middle_of(map.lines[i]), {22.0, 4.0}, fmt::format("line {}", i));
   return any;
 }
 
@@ -108,12 +114,16 @@ Canvas canvas_for(const Problem& problem, const std::vector<const Plan*>& plans,
   const double w = region.high.x - region.low.x;
   const double h = region.high.y - region.low.y;
   const double scale = std::min((width - left_gutter) / w, 1.1 * width / h);
-  return {{region.low.x - left_gutter / scale, region.high.y, scale}, region, left_gutter + w * scale, h * scale + bottom_gutter};
+  return {{region.low.x - left_gutter / scale, region.high.y, scale},
+          region,
+          left_gutter + w * scale,
+          h * scale + bottom_gutter};
 }
 
 void open_map(SvgWriter& svg, const Canvas& canvas) {
-  svg.raw(fmt::format("<defs><clipPath id=\"map\"><rect x=\"{}\" width=\"{}\" height=\"{}\"/></clipPath></defs>\n", fixed(left_gutter),
-                      fixed(canvas.width - left_gutter), fixed(canvas.height - bottom_gutter)));
+  svg.raw(fmt::format(
+      "<defs><clipPath id=\"map\"><rect x=\"{}\" width=\"{}\" height=\"{}\"/></clipPath></defs>\n",
+      fixed(left_gutter), fixed(canvas.width - left_gutter), fixed(canvas.height - bottom_gutter)));
   svg.open_group("map", "clip-path=\"url(#map)\"");
 }
 
@@ -131,7 +141,9 @@ bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region) {
     svg.polygon(shelf, "shelf");
     if (station->insertion) {
       for (const auto& [right, left] : station->insertion->pockets) {
-        svg.polygon(transformed(rectangle({-station->shelf.depth, right}, {0.0, left}), station->shelf.face()), "pocket");
+        svg.polygon(
+            transformed(rectangle({-station->shelf.depth, right}, {0.0, left}), station->shelf.face()),
+            "pocket");
       }
     }
     svg.line(shelf[1], shelf[2], "face");
@@ -142,20 +154,25 @@ bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region) {
 void draw_axes(SvgWriter& svg, const Canvas& canvas) {
   const double step = 2.0 * round_length(60.0 / canvas.view.scale);
   const double bottom = canvas.height - bottom_gutter;
-  svg.raw(fmt::format("<rect class=\"frame\" x=\"{}\" y=\"0.5\" width=\"{}\" height=\"{}\"/>\n", fixed(left_gutter), fixed(canvas.width - left_gutter - 0.5),
-                      fixed(bottom - 0.5)));
+  svg.raw(fmt::format("<rect class=\"frame\" x=\"{}\" y=\"0.5\" width=\"{}\" height=\"{}\"/>\n",
+                      fixed(left_gutter), fixed(canvas.width - left_gutter - 0.5), fixed(bottom - 0.5)));
   const auto first = [&](double low) { return std::ceil(low / step) * step; };
   for (double x = first(canvas.region.low.x); x <= canvas.region.high.x; x += step) {
     const double at = canvas.view({x, 0.0}).x;
     if (at < left_gutter + 8.0 || at > canvas.width - 12.0) continue;
-    svg.raw(fmt::format("<line class=\"axis\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/><text class=\"small middle\" x=\"{0}\" y=\"{3}\">{4}</text>\n", fixed(at),
-                        fixed(bottom), fixed(bottom - 6), fixed(bottom + 15), fixed(x, 3)));
+    svg.raw(
+        fmt::format("<line class=\"axis\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/><text class=\"small "
+                    "middle\" x=\"{0}\" y=\"{3}\">{4}</text>\n",
+                    fixed(at), fixed(bottom), fixed(bottom - 6), fixed(bottom + 15), fixed(x, 3)));
   }
   for (double y = first(canvas.region.low.y); y <= canvas.region.high.y; y += step) {
     const double at = canvas.view({0.0, y}).y;
     if (at < 8.0 || at > bottom - 4.0) continue;  // the number would be cut off, or stand on the other axis
-    svg.raw(fmt::format("<line class=\"axis\" x1=\"{1}\" y1=\"{0}\" x2=\"{2}\" y2=\"{0}\"/><text class=\"small end\" x=\"{3}\" y=\"{4}\">{5}</text>\n", fixed(at),
-                        fixed(left_gutter), fixed(left_gutter + 6), fixed(left_gutter - 5), fixed(at + 4), fixed(y, 3)));
+    svg.raw(
+        fmt::format("<line class=\"axis\" x1=\"{1}\" y1=\"{0}\" x2=\"{2}\" y2=\"{0}\"/><text class=\"small "
+                    "end\" x=\"{3}\" y=\"{4}\">{5}</text>\n",
+                    fixed(at), fixed(left_gutter), fixed(left_gutter + 6), fixed(left_gutter - 5),
+                    fixed(at + 4), fixed(y, 3)));
   }
 }
 
@@ -163,8 +180,11 @@ void draw_scale(SvgWriter& svg, const Canvas& canvas) {
   const double metres = round_length(0.2 * canvas.width / canvas.view.scale);
   const double pixels = metres * canvas.view.scale;
   const double y = canvas.height + 14.0;
-  svg.raw(fmt::format("<line class=\"bar\" x1=\"{0}\" y1=\"{1}\" x2=\"{2}\" y2=\"{1}\"/><text class=\"small\" x=\"{3}\" y=\"{4}\">{5} m; coordinates in m, x right, y up</text>\n",
-                      fixed(left_gutter), fixed(y), fixed(left_gutter + pixels), fixed(left_gutter + pixels + 8), fixed(y + 4), fixed(metres)));
+  svg.raw(
+      fmt::format("<line class=\"bar\" x1=\"{0}\" y1=\"{1}\" x2=\"{2}\" y2=\"{1}\"/><text class=\"small\" "
+                  "x=\"{3}\" y=\"{4}\">{5} m; coordinates in m, x right, y up</text>\n",
+                  fixed(left_gutter), fixed(y), fixed(left_gutter + pixels), fixed(left_gutter + pixels + 8),
+                  fixed(y + 4), fixed(metres)));
 }
 
 }  // namespace waywright

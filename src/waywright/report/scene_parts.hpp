@@ -27,8 +27,15 @@ Canvas canvas_for(const Problem& problem, const std::vector<const Plan*>& plans,
 Ring outline_at(const Footprint& footprint, const Pose& pose);
 
 void open_map(SvgWriter& svg, const Canvas& canvas);
-/// Map and station; obstacles and lines with the numbers by which sentences name them. Returns whether there are numbers.
+/// Map and station; obstacles and lines with the numbers by which sentences name them. Returns whether there
+/// are numbers.
 bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region);
+/// Outline, heading and name.
+void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose, const char* name);
+/// Runs of equal direction in its colour, with arrows.
+void draw_path(SvgWriter& svg, const std::vector<Sample>& samples);
+void draw_sweep(SvgWriter& svg, const Footprint& footprint, const std::vector<Sample>& samples);
+
 /// Ticks with world coordinates along the left and lower edge.
 void draw_axes(SvgWriter& svg, const Canvas& canvas);
 void draw_scale(SvgWriter& svg, const Canvas& canvas);

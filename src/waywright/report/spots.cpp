@@ -8,7 +8,7 @@
 namespace waywright {
 namespace {
 
-constexpr double straight = 1e-6;    // 1/m
+constexpr double straight = 1e-6;      // 1/m
 constexpr double clearly_more = 1e-3;  // m
 
 Spot spot_at(const Problem& problem, const Pose& pose, const Contact& contact) {
@@ -33,7 +33,8 @@ std::pair<std::size_t, std::size_t> off_straight(const Problem& problem, const s
 }  // namespace
 
 std::optional<Spot> tightest_off_straight(const Problem& problem, const Plan& plan) {
-  if (plan.samples.size() < 2 || !std::holds_alternative<Station>(problem.scenario().mission)) return std::nullopt;
+  if (plan.samples.size() < 2 || !std::holds_alternative<Station>(problem.scenario().mission))
+    return std::nullopt;
   const auto [first, last] = off_straight(problem, plan.samples);
   if (first >= last || last - first == plan.samples.size()) return std::nullopt;
   const std::vector<double> clearance = clearances_along(problem, plan.path, plan.samples);
@@ -48,7 +49,8 @@ std::vector<Spot> blocked_spots(const Problem& problem, const Plan& plan) {
   if (!plan.samples.empty()) return {};
   if (const auto failure = problem.check_ends()) {
     if (!failure->pose || !failure->point) return {};
-    return {{*failure->pose, *failure->point, problem.world().clearance(problem.footprint(), *failure->pose, 1.0).clearance, ""}};
+    return {{*failure->pose, *failure->point,
+             problem.world().clearance(problem.footprint(), *failure->pose, 1.0).clearance, ""}};
   }
   std::vector<Spot> spots;
   const double required = problem.required_clearance();
@@ -71,7 +73,8 @@ std::vector<std::size_t> steering_stops(const Plan& plan) {
   for (std::size_t i = 1; i + 1 < plan.samples.size(); ++i) {
     const Sample& before = plan.samples[i - 1];
     const Sample& here = plan.samples[i];
-    const bool stands = before.s == here.s && here.s > 0.0 && here.s < plan.samples.back().s && before.speed == 0.0 && here.speed == 0.0;
+    const bool stands = before.s == here.s && here.s > 0.0 && here.s < plan.samples.back().s &&
+                        before.speed == 0.0 && here.speed == 0.0;
     if (stands && before.direction == here.direction && here.direction != 0) stops.push_back(i);
   }
   return stops;

@@ -10,12 +10,23 @@ std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
-      default: out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
     }
   }
   return out;
@@ -51,7 +62,8 @@ void SvgWriter::polygon(const std::vector<Vec2>& ring, std::string_view style_cl
 }
 
 void SvgWriter::coloured_polyline(const std::vector<Vec2>& line, std::string_view colour) {
-  out_ += fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"3\" points=\"{}\"/>\n", colour, points(line));
+  out_ += fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"3\" points=\"{}\"/>\n", colour,
+                      points(line));
 }
 
 void SvgWriter::polyline(const std::vector<Vec2>& line, std::string_view style_class) {
@@ -61,18 +73,20 @@ void SvgWriter::polyline(const std::vector<Vec2>& line, std::string_view style_c
 void SvgWriter::line(Vec2 a, Vec2 b, std::string_view style_class) {
   const Vec2 p = view_(a);
   const Vec2 q = view_(b);
-  out_ += fmt::format("<line class=\"{}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n", style_class, fixed(p.x), fixed(p.y),
-                      fixed(q.x), fixed(q.y));
+  out_ += fmt::format("<line class=\"{}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n", style_class,
+                      fixed(p.x), fixed(p.y), fixed(q.x), fixed(q.y));
 }
 
 void SvgWriter::dot(Vec2 p, double pixels, std::string_view style_class) {
   const Vec2 q = view_(p);
-  out_ += fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", style_class, fixed(q.x), fixed(q.y), fixed(pixels));
+  out_ += fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", style_class, fixed(q.x),
+                      fixed(q.y), fixed(pixels));
 }
 
 void SvgWriter::square(Vec2 middle, double pixels, std::string_view style_class) {
   const Vec2 q = view_(middle) - Vec2{0.5 * pixels, 0.5 * pixels};
-  out_ += fmt::format("<rect class=\"{0}\" x=\"{1}\" y=\"{2}\" width=\"{3}\" height=\"{3}\"/>\n", style_class, fixed(q.x), fixed(q.y), fixed(pixels));
+  out_ += fmt::format("<rect class=\"{0}\" x=\"{1}\" y=\"{2}\" width=\"{3}\" height=\"{3}\"/>\n", style_class,
+                      fixed(q.x), fixed(q.y), fixed(pixels));
 }
 
 void SvgWriter::union_of(const std::vector<std::vector<Vec2>>& rings, std::string_view style_class) {
@@ -90,7 +104,8 @@ void SvgWriter::union_of(const std::vector<std::vector<Vec2>>& rings, std::strin
 
 void SvgWriter::label(Vec2 p, Vec2 offset, std::string_view text, std::string_view style_class) {
   const Vec2 q = view_(p) + offset;
-  out_ += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", style_class, fixed(q.x), fixed(q.y), escaped(text));
+  out_ += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", style_class, fixed(q.x), fixed(q.y),
+                      escaped(text));
 }
 
 namespace {
@@ -102,10 +117,11 @@ struct Colour {
 };
 // Okabe and Ito's palette for what must be told apart; greys for the rest.
 constexpr Colour colours[] = {
-    {"ink", "#1b1f24", "#e8ecf0"},   {"soft", "#5b6570", "#a7b1bb"},    {"paper", "#fff", "#14181d"}, {"grid", "#e3e7eb", "#2a3138"},
-    {"wall", "#39424c", "#b9c3cd"},  {"solid", "#9aa5b1", "#5b6671"},   {"cell", "#59636e", "#8f9aa6"},
-    {"unknown", "#c9d0d7", "#343c45"}, {"fwd", "#0072b2", "#56b4e9"},   {"back", "#d55e00", "#f0a04b"},
-    {"zone", "#009e73", "#2fc79b"},  {"shelf", "#cc79a7", "#d99bbd"},   {"bad", "#b00020", "#ff8a8a"}, {"alt", "#7a828a", "#8b949d"},
+    {"ink", "#1b1f24", "#e8ecf0"},  {"soft", "#5b6570", "#a7b1bb"},    {"paper", "#fff", "#14181d"},
+    {"grid", "#e3e7eb", "#2a3138"}, {"wall", "#39424c", "#b9c3cd"},    {"solid", "#9aa5b1", "#5b6671"},
+    {"cell", "#59636e", "#8f9aa6"}, {"unknown", "#c9d0d7", "#343c45"}, {"fwd", "#0072b2", "#56b4e9"},
+    {"back", "#d55e00", "#f0a04b"}, {"zone", "#009e73", "#2fc79b"},    {"shelf", "#cc79a7", "#d99bbd"},
+    {"bad", "#b00020", "#ff8a8a"},  {"alt", "#7a828a", "#8b949d"},
 };
 
 constexpr std::string_view rules = R"(
@@ -124,7 +140,7 @@ constexpr std::string_view rules = R"(
 .ww .spot{fill:var(--paper);stroke:var(--bad);stroke-width:2}.ww .spotline{stroke:var(--bad);stroke-width:1.2;stroke-dasharray:4 3}
 .ww .stop{fill:var(--paper);stroke:var(--ink);stroke-width:1.8}.ww .frame{fill:none;stroke:var(--grid);stroke-width:1}
 .ww .number{font-size:11px;font-weight:600;text-anchor:middle}
-.ww .tighttext{fill:var(--bad);font-size:13px;font-weight:600}
+.ww .tighttext{fill:var(--bad);font-size:15px;font-weight:700;paint-order:stroke;stroke:var(--paper);stroke-width:4px}
 .ww .name{font-size:15px;font-weight:700;paint-order:stroke;stroke:var(--paper);stroke-width:4px}
 .ww .tighttext.note{fill:var(--bad);font-size:12px}.ww .small{font-size:12px;fill:var(--soft)}.ww .note{font-size:12px;paint-order:stroke;stroke:var(--paper);stroke-width:3px;fill:var(--soft)}
 .ww .bar{stroke:var(--ink);stroke-width:2}.ww .axis{stroke:var(--soft);stroke-width:1}.ww .gridline{stroke:var(--grid);stroke-width:1}
@@ -135,11 +151,12 @@ constexpr std::string_view rules = R"(
 )";
 
 /// The rules with plain colours: many viewers of SVG know no CSS variables.
-std::string coloured(const char* Colour::* theme) {
+std::string coloured(const char* Colour::*theme) {
   std::string text{rules};
   for (const Colour& colour : colours) {
     const std::string variable = fmt::format("var(--{})", colour.name);
-    for (std::size_t at = 0; (at = text.find(variable, at)) != std::string::npos;) text.replace(at, variable.size(), colour.*theme);
+    for (std::size_t at = 0; (at = text.find(variable, at)) != std::string::npos;)
+      text.replace(at, variable.size(), colour.*theme);
   }
   return text;
 }

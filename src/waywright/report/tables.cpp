@@ -21,8 +21,10 @@ struct Row {
 std::string table(const std::vector<Row>& rows) {
   std::string out = "<table>\n";
   for (const Row& r : rows) {
-    const std::string remark = r.remark.empty() ? "" : fmt::format("<span class=\"soft\">{}</span>", escaped(r.remark));
-    out += fmt::format("<tr><th scope=\"row\">{}</th><td>{}{}</td></tr>\n", escaped(r.name), escaped(r.value), remark);
+    const std::string remark =
+        r.remark.empty() ? "" : fmt::format("<span class=\"soft\">{}</span>", escaped(r.remark));
+    out += fmt::format("<tr><th scope=\"row\">{}</th><td>{}{}</td></tr>\n", escaped(r.name), escaped(r.value),
+                       remark);
   }
   return out + "</table>\n";
 }
@@ -32,28 +34,37 @@ std::string with_limit(double value, std::optional<double> limit, const char* un
   return fmt::format("limit {} {}, {:.0f} % used", fixed(*limit, 3), unit, 100.0 * value / *limit);
 }
 
-std::string pose_words(const Pose& p) { return fmt::format("({:.3f}, {:.3f}), {:.4f} rad ({:.2f}°)", p.x, p.y, p.heading, p.heading * 180.0 / pi); }
+std::string pose_words(const Pose& p) {
+  return fmt::format("({:.3f}, {:.3f}), {:.4f} rad ({:.2f}°)", p.x, p.y, p.heading, p.heading * 180.0 / pi);
+}
 
 Row clearance_row(const Plan& plan) {
   const PoseError& e = plan.scenario.pose_error;
-  const std::string asked = fmt::format("{} m asked for{}", fixed(plan.scenario.clearance, 4), e.lateral + e.longitudinal + e.heading > 0.0 ? ", pose error taken off" : "");
-  if (!plan.certificate.collision_free) return {"Proven clearance", "none", "the path touches or may touch something; " + asked};
-  return {plan.status == Status::solved ? "Proven clearance" : "Clearance (path not proven)", clearance_words(plan.certificate), asked};
+  const std::string asked =
+      fmt::format("{} m asked for{}", fixed(plan.scenario.clearance, 4),
+                  e.lateral + e.longitudinal + e.heading > 0.0 ? ", pose error taken off" : "");
+  if (!plan.certificate.collision_free)
+    return {"Proven clearance", "none", "the path touches or may touch something; " + asked};
+  return {plan.status == Status::solved ? "Proven clearance" : "Clearance (path not proven)",
+          clearance_words(plan.certificate), asked};
 }
 
 std::string drive_words(const Vehicle& vehicle) {
   if (const auto* t = std::get_if<Tricycle>(&vehicle.drive)) {
-    return fmt::format("tricycle, {} axle steered, wheelbase {} m, steering to {:.1f}°", t->steered_axle == SteeredAxle::rear ? "rear" : "front",
-                       fixed(t->wheelbase, 3), t->max_steering * 180.0 / pi);
+    return fmt::format("tricycle, {} axle steered, wheelbase {} m, steering to {:.1f}°",
+                       t->steered_axle == SteeredAxle::rear ? "rear" : "front", fixed(t->wheelbase, 3),
+                       t->max_steering * 180.0 / pi);
   }
-  if (const auto* d = std::get_if<Differential>(&vehicle.drive)) return fmt::format("differential, track {} m", fixed(d->track, 3));
+  if (const auto* d = std::get_if<Differential>(&vehicle.drive))
+    return fmt::format("differential, track {} m", fixed(d->track, 3));
   return "mecanum";
 }
 
 std::string footprint_words(const Footprint& footprint) {
   if (footprint.is_disc()) return fmt::format("disc of radius {} m", fixed(footprint.disc, 3));
   const Box box = bounding_box(footprint.polygon);
-  return fmt::format("{} corners, {} × {} m, from {} m behind to {} m before the origin", footprint.polygon.size(), fixed(box.high.x - box.low.x, 3),
+  return fmt::format("{} corners, {} × {} m, from {} m behind to {} m before the origin",
+                     footprint.polygon.size(), fixed(box.high.x - box.low.x, 3),
                      fixed(box.high.y - box.low.y, 3), fixed(-box.low.x, 3), fixed(box.high.x, 3));
 }
 
@@ -61,9 +72,12 @@ std::string parameter_words(const Parameters& parameters) {
   std::string text;
   for (const auto& [name, value] : parameters) {
     text += text.empty() ? "" : ", ";
-    if (const auto* b = std::get_if<bool>(&value)) text += fmt::format("{} {}", name, *b ? "true" : "false");
-    else if (const auto* d = std::get_if<double>(&value)) text += fmt::format("{} {}", name, *d);
-    else text += fmt::format("{} {}", name, std::get<std::string>(value));
+    if (const auto* b = std::get_if<bool>(&value))
+      text += fmt::format("{} {}", name, *b ? "true" : "false");
+    else if (const auto* d = std::get_if<double>(&value))
+      text += fmt::format("{} {}", name, *d);
+    else
+      text += fmt::format("{} {}", name, std::get<std::string>(value));
   }
   return text;
 }
@@ -75,19 +89,32 @@ std::string metric_table(const Problem& problem, const Plan& plan) {
   const Scenario& s = plan.scenario;
   const auto capped = [](double clearance) { return clearance >= clearance_cap; };
   std::vector<Row> rows{clearance_row(plan)};
-  if (plan.certificate.pocket_clearance) rows.push_back({"Forks to the pocket's sides", fmt::format("{:.4f} m", *plan.certificate.pocket_clearance), "pose error taken off"});
+  if (plan.certificate.pocket_clearance)
+    rows.push_back({"Forks to the pocket's sides",
+                    fmt::format("{:.4f} m", *plan.certificate.pocket_clearance), "pose error taken off"});
   if (const auto spot = tightest_off_straight(problem, plan)) {
-    rows.push_back({problem.is_driven_back() ? "Tightest after the first straight" : "Tightest before the final straight", fmt::format("{:.3f} m", spot->clearance),
-                    fmt::format("at samples, from {} at ({:.2f}, {:.2f})", spot->against, spot->point.x, spot->point.y)});
+    rows.push_back({problem.is_driven_back() ? "Tightest after the first straight"
+                                             : "Tightest before the final straight",
+                    fmt::format("{:.3f} m", spot->clearance),
+                    fmt::format("at samples, from {} at ({:.2f}, {:.2f})", spot->against, spot->point.x,
+                                spot->point.y)});
   }
-  rows.push_back({"Least clearance at samples", capped(m.min_clearance) ? fmt::format("more than {:g} m", clearance_cap) : fmt::format("{:.4f} m", m.min_clearance), ""});
-  rows.push_back({"Mean clearance", fmt::format("{}{:.3f} m", capped(m.mean_clearance) ? "more than " : "", m.mean_clearance), ""});
+  rows.push_back({"Least clearance at samples",
+                  capped(m.min_clearance) ? fmt::format("more than {:g} m", clearance_cap)
+                                          : fmt::format("{:.4f} m", m.min_clearance),
+                  ""});
+  rows.push_back({"Mean clearance",
+                  fmt::format("{}{:.3f} m", capped(m.mean_clearance) ? "more than " : "", m.mean_clearance),
+                  ""});
   rows.push_back({"Length", fmt::format("{:.3f} m", m.length), ""});
   rows.push_back({"Travel time", fmt::format("{:.1f} s", m.travel_time), ""});
   rows.push_back({"Changes of direction", fmt::format("{}", m.direction_changes), ""});
-  if (const std::size_t stops = steering_stops(plan).size(); stops > 0) rows.push_back({"Stops where the curvature jumps", fmt::format("{}", stops), ""});
-  rows.push_back({"Greatest curvature", fmt::format("{:.4f} 1/m", m.max_curvature), with_limit(m.max_curvature, s.vehicle.max_curvature(), "1/m")});
-  rows.push_back({"Greatest curvature rate", fmt::format("{:.4f} 1/m²", m.max_curvature_rate), with_limit(m.max_curvature_rate, s.vehicle.limits.curvature_rate, "1/m²")});
+  if (const std::size_t stops = steering_stops(plan).size(); stops > 0)
+    rows.push_back({"Stops where the curvature jumps", fmt::format("{}", stops), ""});
+  rows.push_back({"Greatest curvature", fmt::format("{:.4f} 1/m", m.max_curvature),
+                  with_limit(m.max_curvature, s.vehicle.max_curvature(), "1/m")});
+  rows.push_back({"Greatest curvature rate", fmt::format("{:.4f} 1/m²", m.max_curvature_rate),
+                  with_limit(m.max_curvature_rate, s.vehicle.limits.curvature_rate, "1/m²")});
   rows.push_back({"Change of curvature Σ|Δκ|", fmt::format("{:.3f} 1/m", m.curvature_change), ""});
   rows.push_back({"… as printed Σ|Δκ|/Δs", fmt::format("{:.2f} 1/m²", m.curvature_change_printed), ""});
   rows.push_back({"Turning", fmt::format("{:.3f} rad ({:.0f}°)", m.turning, m.turning * 180.0 / pi), ""});
@@ -105,7 +132,8 @@ std::string scenario_table(const Problem& problem, const Plan& plan) {
   if (const auto* station = std::get_if<Station>(&s.mission)) {
     const Pose& d = problem.goal();
     rows.push_back({"Docked pose", pose_words(d),
-                    fmt::format("fork tips {} m before the face, slot {} m", fixed(station->shelf.gap, 3), fixed(station->shelf.slot, 3))});
+                    fmt::format("fork tips {} m before the face, slot {} m", fixed(station->shelf.gap, 3),
+                                fixed(station->shelf.slot, 3))});
   } else {
     const Pose& g = std::get<Pose>(s.mission);
     rows.push_back({"Goal", pose_words(g), ""});
@@ -113,22 +141,31 @@ std::string scenario_table(const Problem& problem, const Plan& plan) {
   if (problem.pocket()) {
     const Pose& p = problem.pocket()->inner;
     rows.push_back({"Forks in the shelf", pose_words(p),
-                    fmt::format("fork tips {} m behind the face", fixed(std::get<Station>(s.mission).insertion->depth, 3))});
+                    fmt::format("fork tips {} m behind the face",
+                                fixed(std::get<Station>(s.mission).insertion->depth, 3))});
   }
   if (!s.carried_load.empty()) {
     const double mass = s.vehicle.loads.at(s.carried_load).mass;
     rows.push_back({"Load", s.carried_load,
-                    fmt::format("{} kg{}; {}", fixed(mass, 1), s.vehicle.mass > 0.0 ? fmt::format(", {} kg with the vehicle", fixed(mass + s.vehicle.mass, 1)) : "",
+                    fmt::format("{} kg{}; {}", fixed(mass, 1),
+                                s.vehicle.mass > 0.0
+                                    ? fmt::format(", {} kg with the vehicle", fixed(mass + s.vehicle.mass, 1))
+                                    : "",
                                 footprint_words(problem.footprint()))});
   }
   rows.push_back({"Clearance asked for", fmt::format("{} m", fixed(s.clearance, 4)), ""});
-  rows.push_back({"Pose error", fmt::format("{} m lateral, {} m longitudinal, {} rad ({:.2f}°) heading", fixed(s.pose_error.lateral, 4),
-                                            fixed(s.pose_error.longitudinal, 4), fixed(s.pose_error.heading, 4), s.pose_error.heading * 180.0 / pi),
+  rows.push_back({"Pose error",
+                  fmt::format("{} m lateral, {} m longitudinal, {} rad ({:.2f}°) heading",
+                              fixed(s.pose_error.lateral, 4), fixed(s.pose_error.longitudinal, 4),
+                              fixed(s.pose_error.heading, 4), s.pose_error.heading * 180.0 / pi),
                   ""});
   rows.push_back({"Planner", plan.planner, parameter_words(plan.parameters)});
-  rows.push_back({"Work", fmt::format("{} evaluations, seed {}", plan.effort.evaluations, plan.seed), plan.reproducible ? "reproducible" : "cut short: another run may differ"});
-  std::string map = fmt::format("{} obstacles, {} lines, {} points", s.map.obstacles.size(), s.map.lines.size(), s.map.points.size());
-  for (const CellGrid& g : s.map.grids) map += fmt::format(", {} ({} × {} cells of {} m)", g.name, g.columns, g.rows, fixed(g.cell, 4));
+  rows.push_back({"Work", fmt::format("{} evaluations, seed {}", plan.effort.evaluations, plan.seed),
+                  plan.reproducible ? "reproducible" : "cut short: another run may differ"});
+  std::string map = fmt::format("{} obstacles, {} lines, {} points", s.map.obstacles.size(),
+                                s.map.lines.size(), s.map.points.size());
+  for (const CellGrid& g : s.map.grids)
+    map += fmt::format(", {} ({} × {} cells of {} m)", g.name, g.columns, g.rows, fixed(g.cell, 4));
   rows.push_back({"Map", map, ""});
   if (s.map.alignment && !s.map.alignment->residuals.empty()) {
     rows.push_back({"Alignment residuals", residual_words(*s.map.alignment), ""});
@@ -139,12 +176,18 @@ std::string scenario_table(const Problem& problem, const Plan& plan) {
 
 std::string alternatives_table(const Plan& plan) {
   if (plan.alternatives.empty()) return {};
-  const bool any = std::any_of(plan.alternatives.begin(), plan.alternatives.end(), [](const Alternative& a) { return a.cost.has_value(); });
-  std::string out = fmt::format("<h2>What was tried</h2>\n<table><tr><th>alternative</th>{}<th>outcome</th></tr>\n", any ? "<th>cost, or length</th>" : "");
+  const bool any = std::any_of(plan.alternatives.begin(), plan.alternatives.end(),
+                               [](const Alternative& a) { return a.cost.has_value(); });
+  std::string out =
+      fmt::format("<h2>What was tried</h2>\n<table><tr><th>alternative</th>{}<th>outcome</th></tr>\n",
+                  any ? "<th>cost, or length</th>" : "");
   for (const Alternative& a : plan.alternatives) {
     // Only beside a shelf there is a cost without a unit; a general planner counts metres.
-    const std::string cost = !a.cost ? "–" : a.zone.size() >= 3 ? fmt::format("{:.4f}", *a.cost) : fmt::format("{:.2f} m", *a.cost);
-    out += fmt::format("<tr{}><th scope=\"row\">{}{}</th>{}<td>{}</td></tr>\n", a.chosen ? " class=\"chosen\"" : "", escaped(a.name), a.chosen ? " (taken)" : "",
+    const std::string cost = !a.cost              ? "–"
+                             : a.zone.size() >= 3 ? fmt::format("{:.4f}", *a.cost)
+                                                  : fmt::format("{:.2f} m", *a.cost);
+    out += fmt::format("<tr{}><th scope=\"row\">{}{}</th>{}<td>{}</td></tr>\n",
+                       a.chosen ? " class=\"chosen\"" : "", escaped(a.name), a.chosen ? " (taken)" : "",
                        any ? "<td class=\"number\">" + cost + "</td>" : "", escaped(a.outcome));
   }
   return out + "</table>\n";

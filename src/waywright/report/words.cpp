@@ -18,29 +18,39 @@ std::string_view core_of(std::string_view sentence) {
   return sentence;
 }
 
-bool says(std::string_view text, std::string_view sentence) { return !core_of(sentence).empty() && text.find(core_of(sentence)) != std::string_view::npos; }
+bool says(std::string_view text, std::string_view sentence) {
+  return !core_of(sentence).empty() && text.find(core_of(sentence)) != std::string_view::npos;
+}
 
 }  // namespace
-
-double millimetres_down(double metres) { return std::floor(10000.0 * metres + 1e-4) / 10.0; }
 
 std::string headline(const Plan& plan) {
   switch (plan.status) {
     case Status::solved: {
       const PoseError& e = plan.scenario.pose_error;
       const bool error = e.lateral + e.longitudinal + e.heading > 0.0;
-      if (is_beyond_measure(plan.certificate)) return "Solved and proven: " + clearance_words(plan.certificate) + " of clearance";
-      return fmt::format("Solved and proven: at least {:.1f} mm of clearance{}", millimetres_down(plan.certificate.clearance),
+      if (is_beyond_measure(plan.certificate))
+        return "Solved and proven: " + clearance_words(plan.certificate) + " of clearance";
+      return fmt::format("Solved and proven: at least {:.1f} mm of clearance{}",
+                         1000.0 * plan.certificate.clearance,
                          error ? " at every pose within the pose error" : "");
     }
-    case Status::unproven: return "A path, but not proven";
-    case Status::no_path: return "No path";
-    case Status::start_in_collision: return "The start is in collision";
-    case Status::goal_in_collision: return "The goal is in collision";
-    case Status::start_outside: return "The start is outside";
-    case Status::goal_outside: return "The goal is outside";
-    case Status::timed_out: return "Out of time, no path yet";
-    case Status::canceled: return "Interrupted, no path yet";
+    case Status::unproven:
+      return "A path, but not proven";
+    case Status::no_path:
+      return "No path";
+    case Status::start_in_collision:
+      return "The start is in collision";
+    case Status::goal_in_collision:
+      return "The goal is in collision";
+    case Status::start_outside:
+      return "The start is outside";
+    case Status::goal_outside:
+      return "The goal is outside";
+    case Status::timed_out:
+      return "Out of time, no path yet";
+    case Status::canceled:
+      return "Interrupted, no path yet";
   }
   return to_string(plan.status);
 }
@@ -53,7 +63,8 @@ std::string as_sentence(std::string text) {
 }
 
 bool is_beyond_measure(const Certificate& c) {
-  return c.collision_free && (!c.tightest || c.tightest_obstacle.empty() || c.clearance >= clearance_cap - 2.0 * c.tolerance);
+  return c.collision_free &&
+         (!c.tightest || c.tightest_obstacle.empty() || c.clearance >= clearance_cap - 2.0 * c.tolerance);
 }
 
 std::string clearance_words(const Certificate& c) {
@@ -73,9 +84,11 @@ std::optional<std::string> alignment_warning(const Scenario& scenario) {
   const std::vector<double>& residuals = scenario.map.alignment->residuals;
   const auto worst = std::max_element(residuals.begin(), residuals.end());
   if (*worst <= std::max(scenario.clearance, least_worry)) return std::nullopt;
-  return fmt::format("The map is {:.3f} m off at pair {} of the points that it was aligned by, more than the clearance of {:g} m: what is proven holds for "
-                     "the map as placed, which may not be where it truly is.",
-                     *worst, worst - residuals.begin(), scenario.clearance);
+  return fmt::format(
+      "The map is {:.3f} m off at pair {} of the points that it was aligned by, more than the clearance of "
+      "{:g} m: what is proven holds for "
+      "the map as placed, which may not be where it truly is.",
+      *worst, worst - residuals.begin(), scenario.clearance);
 }
 
 std::vector<std::string> warnings(const Plan& plan) {
@@ -83,9 +96,10 @@ std::vector<std::string> warnings(const Plan& plan) {
   if (plan.status == Status::canceled) {
     all.emplace_back("The run was interrupted before there was a path.");
   } else if (!plan.reproducible) {
-    all.push_back(fmt::format("The work was cut short by {}: another run may give another {}.",
-                              plan.scenario.budget.seconds ? "the budget's seconds or an interrupt" : "an interrupt",
-                              plan.samples.empty() ? "answer" : "path, and a better one"));
+    all.push_back(
+        fmt::format("The work was cut short by {}: another run may give another {}.",
+                    plan.scenario.budget.seconds ? "the budget's seconds or an interrupt" : "an interrupt",
+                    plan.samples.empty() ? "answer" : "path, and a better one"));
   }
   if (auto alignment = alignment_warning(plan.scenario)) all.push_back(std::move(*alignment));
   return all;
@@ -105,8 +119,9 @@ std::string reason_once(const Plan& plan) {
 std::vector<std::string> explanation_once(const Plan& plan, bool beside_alternatives) {
   std::vector<std::string> kept;
   for (const std::string& sentence : plan.explanation) {
-    const bool told = beside_alternatives && std::any_of(plan.alternatives.begin(), plan.alternatives.end(),
-                                                         [&](const Alternative& a) { return says(a.outcome, sentence); });
+    const bool told =
+        beside_alternatives && std::any_of(plan.alternatives.begin(), plan.alternatives.end(),
+                                           [&](const Alternative& a) { return says(a.outcome, sentence); });
     if (!told && !says(sentence, plan.reason)) kept.push_back(sentence);
   }
   return kept;

@@ -21,19 +21,18 @@ std::string clearance_words(const Certificate& certificate);
 /// Nothing stood within the distance that the proof looks to: there is no tightest spot.
 bool is_beyond_measure(const Certificate& certificate);
 
-/// What a reader must know before trusting the result: the work was cut short, the map lies off the points that it was aligned by.
+/// What a reader must know before trusting the result: the work was cut short, the map lies off the points
+/// that it was aligned by.
 std::vector<std::string> warnings(const Plan& plan);
 /// The alignment's residuals against the clearance; empty where there is nothing to worry about.
 std::optional<std::string> alignment_warning(const Scenario& scenario);
 /// "0.012, 0.008 m", empty where the map was not aligned by points.
 std::string residual_words(const Alignment& alignment);
 
-/// The reason without what the explanation or the alternatives say in the same words; empty where they say all of it.
+/// The reason without what the explanation or the alternatives say in the same words; empty where they say
+/// all of it.
 std::string reason_once(const Plan& plan);
 /// The explanation without what the alternatives' outcomes or the reason say in the same words.
 std::vector<std::string> explanation_once(const Plan& plan, bool beside_alternatives);
-
-/// Tenths of a millimetre, rounded down: a bound does not grow by being printed.
-double millimetres_down(double metres);
 
 }  // namespace waywright

@@ -14,14 +14,16 @@ namespace waywright {
 namespace {
 
 /// One contestant on one scenario with one seed, judged like all others.
-Plan run_one(const Problem& problem, const Contestant& contestant, std::uint64_t seed, const CompareOptions& options) {
+Plan run_one(const Problem& problem, const Contestant& contestant, std::uint64_t seed,
+             const CompareOptions& options) {
   Scenario scenario = problem.scenario();
   scenario.seed = seed;
   if (options.budget.evaluations) scenario.budget.evaluations = options.budget.evaluations;
   if (options.budget.samples) scenario.budget.samples = options.budget.samples;
   if (options.budget.seconds) scenario.budget.seconds = options.budget.seconds;
   const BudgetLimits& limits = scenario.budget;
-  if (!limits.evaluations && !limits.samples && !limits.seconds) scenario.budget.evaluations = options.default_evaluations;
+  if (!limits.evaluations && !limits.samples && !limits.seconds)
+    scenario.budget.evaluations = options.default_evaluations;
   scenario.planner = {contestant.planner, contestant.parameters};
   auto prepared = Problem::prepare(std::move(scenario));
   if (!prepared) return failed_plan(problem, {Status::no_path, prepared.error().message(), {}, {}});
@@ -61,7 +63,8 @@ std::vector<Run> compare(const std::vector<Problem>& problems, const std::vector
       if (options.progress) options.progress(done, all.size());
     }
   };
-  const unsigned wanted = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+  const unsigned wanted =
+      options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::thread> threads;
   for (unsigned t = 1; t < std::min<std::size_t>(wanted, all.size()); ++t) threads.emplace_back(work);
   work();
@@ -70,7 +73,9 @@ std::vector<Run> compare(const std::vector<Problem>& problems, const std::vector
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (finished[i] != 0) kept.push_back(std::move(all[i]));
   }
-  std::stable_sort(kept.begin(), kept.end(), [](const Run& a, const Run& b) { return std::tie(a.scenario, a.contestant) < std::tie(b.scenario, b.contestant); });
+  std::stable_sort(kept.begin(), kept.end(), [](const Run& a, const Run& b) {
+    return std::tie(a.scenario, a.contestant) < std::tie(b.scenario, b.contestant);
+  });
   return kept;
 }
 

@@ -13,8 +13,8 @@
 
 namespace waywright {
 
-/// One contestant: a planner with its parameters, or an outside program (`exec:CMD`: scenario JSON on standard input, CSV of
-/// poses on standard output).
+/// One contestant: a planner with its parameters, or an outside program (`exec:CMD`: scenario JSON on
+/// standard input, CSV of poses on standard output).
 struct Contestant {
   std::string label;    ///< unique, as shown
   std::string planner;  ///< registry name, or empty for an outside program
@@ -30,16 +30,16 @@ struct Run {
 };
 
 struct CompareOptions {
-  int runs = 1;                                    ///< seeds base, base+1, …
-  unsigned threads = 0;                            ///< 0: all cores
-  BudgetLimits budget;  ///< the same for all; an absent field is the scenario's
+  int runs = 1;                                     ///< seeds base, base+1, …
+  unsigned threads = 0;                             ///< 0: all cores
+  BudgetLimits budget;                              ///< the same for all; an absent field is the scenario's
   std::optional<std::int64_t> default_evaluations;  ///< for all where neither names a budget
   std::function<void(std::size_t, std::size_t)> progress;  ///< done, total
   const std::atomic<bool>* cancel = nullptr;
 };
 
-/// The work goes round by seed, so that what is finished when it is cut short can be compared. The runs come back by scenario,
-/// contestant and seed whatever the number of threads; what was canceled is left out.
+/// The work goes round by seed, so that what is finished when it is cut short can be compared. The runs come
+/// back by scenario, contestant and seed whatever the number of threads; what was canceled is left out.
 std::vector<Run> compare(const std::vector<Problem>& problems, const std::vector<Contestant>& contestants,
                          const CompareOptions& options);
 

@@ -19,26 +19,38 @@ constexpr std::size_t longest_reason = 180;  // bytes that the table shows
 
 /// The same answer bit for bit; the time it took may differ.
 bool is_same_answer(const Plan& a, const Plan& b) {
-  const auto row = [](const Sample& s) { return std::tie(s.s, s.x, s.y, s.heading, s.curvature, s.direction, s.t, s.speed); };
+  const auto row = [](const Sample& s) {
+    return std::tie(s.s, s.x, s.y, s.heading, s.curvature, s.direction, s.t, s.speed);
+  };
   return a.status == b.status && a.reason == b.reason && a.effort.evaluations == b.effort.evaluations &&
          std::equal(a.samples.begin(), a.samples.end(), b.samples.begin(), b.samples.end(),
                     [&](const Sample& p, const Sample& q) { return row(p) == row(q); });
 }
 
 void count_failure(std::vector<Summary::Failures>& failures, const Run& run) {
-  const auto known = std::find_if(failures.begin(), failures.end(), [&](const auto& f) { return f.status == run.plan.status; });
-  if (known == failures.end()) failures.push_back({run.plan.status, 1, run.seed, run.plan.reason});
-  else ++known->count;
+  const auto known = std::find_if(failures.begin(), failures.end(),
+                                  [&](const auto& f) { return f.status == run.plan.status; });
+  if (known == failures.end())
+    failures.push_back({run.plan.status, 1, run.seed, run.plan.reason});
+  else
+    ++known->count;
 }
 
-/// Cut at a word.
+/// Cut at a word, or at a whole character where it is one long word.
 std::string cut(const std::string& text) {
   if (text.size() <= longest_reason) return text;
-  return text.substr(0, text.rfind(' ', longest_reason)) + " …";
+  std::size_t end = text.rfind(' ', longest_reason);
+  if (end == std::string::npos) {
+    end = longest_reason;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  }
+  return text.substr(0, end) + " …";
 }
 
 /// A figure, or a dash where there is nothing to measure.
-std::string figure(bool any, double value, int digits) { return any ? fmt::format("{:.{}f}", value, digits) : "–"; }
+std::string figure(bool any, double value, int digits) {
+  return any ? fmt::format("{:.{}f}", value, digits) : "–";
+}
 
 /// "  4/5    0.38–0.96", one run "1/1", none a dash.
 std::string solved_words(const Summary& s) {
@@ -93,8 +105,10 @@ std::vector<Summary> summarise(const std::vector<Run>& runs, std::size_t scenari
         alike = alike && is_same_answer(first->plan, run.plan);
         evaluations.push_back(static_cast<double>(run.plan.effort.evaluations));
         seconds.push_back(run.plan.timing.plan);
-        if (run.plan.status == Status::solved) ++solved;
-        else count_failure(summary.failures, run);
+        if (run.plan.status == Status::solved)
+          ++solved;
+        else
+          count_failure(summary.failures, run);
         if (run.plan.samples.empty()) continue;
         if (run.plan.status != Status::solved) ++summary.unproven;
         length.push_back(run.plan.metrics.length);
@@ -123,21 +137,32 @@ std::string summary_text(const std::vector<Summary>& summaries, const std::vecto
   for (const Contestant& c : contestants) wide = std::max(wide, c.label.size());
   std::string out;
   for (std::size_t p = 0; p < scenarios.size(); ++p) {
-    out += fmt::format("{}{}\n  {:<{}}  {:>19}  {:>8}  {:>22}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}\n", out.empty() ? "" : "\n", scenarios[p], "planner",
-                       wide, "solved (95 %)", "unproven", "length m [quartiles]", "clear. m", "Σ|Δκ|", "time s", "evals", "plan ms");
+    out += fmt::format("{}{}\n  {:<{}}  {:>19}  {:>8}  {:>22}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}\n",
+                       out.empty() ? "" : "\n", scenarios[p], "planner", wide, "solved (95 %)", "unproven",
+                       "length m [quartiles]", "clear. m", "Σ|Δκ|", "time s", "evals", "plan ms");
     std::string below;
     for (const Summary& s : summaries) {
       if (s.scenario != p) continue;
       const std::string& label = contestants[s.contestant].label;
       const bool ran = s.solved.all > 0;
       const bool any = s.paths > 0;
-      const std::string length = any ? fmt::format("{:>7.3f} [{:>5.2f}–{:>6.2f}]", s.length.median, s.length.low_quartile, s.length.high_quartile) : "–";
-      out += fmt::format("  {:<{}}  {:>19}  {:>8}  {:>22}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}\n", label, wide, solved_words(s),
-                         ran ? std::to_string(s.unproven) : "–", length, figure(any, s.clearance.median, 4), figure(any, s.curvature_change.median, 3),
-                         figure(any, s.travel_time.median, 2), figure(ran && contestants[s.contestant].command.empty(), s.evaluations.median, 0), figure(ran, 1000.0 * s.seconds.median, 2));
-      if (s.all_alike) below += fmt::format("  {}: its {} runs are the same to the last bit; the seed changes nothing, and they count as one\n", label, s.solved.all);
+      const std::string length = any ? fmt::format("{:>7.3f} [{:>5.2f}–{:>6.2f}]", s.length.median,
+                                                   s.length.low_quartile, s.length.high_quartile)
+                                     : "–";
+      out += fmt::format("  {:<{}}  {:>19}  {:>8}  {:>22}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}\n", label, wide,
+                         solved_words(s), ran ? std::to_string(s.unproven) : "–", length,
+                         figure(any, s.clearance.median, 4), figure(any, s.curvature_change.median, 3),
+                         figure(any, s.travel_time.median, 2),
+                         figure(ran && contestants[s.contestant].command.empty(), s.evaluations.median, 0),
+                         figure(ran, 1000.0 * s.seconds.median, 2));
+      if (s.all_alike)
+        below += fmt::format(
+            "  {}: its {} runs are the same to the last bit; the seed changes nothing, and they count as "
+            "one\n",
+            label, s.solved.all);
       for (const Summary::Failures& f : s.failures) {
-        below += fmt::format("  {}: {} × {}{}: {}\n", label, f.count, to_string(f.status), f.count > 1 ? fmt::format(", with seed {}", f.seed) : "", cut(f.reason));
+        below += fmt::format("  {}: {} × {}{}: {}\n", label, f.count, to_string(f.status),
+                             f.count > 1 ? fmt::format(", with seed {}", f.seed) : "", cut(f.reason));
       }
     }
     out += below;
@@ -145,20 +170,26 @@ std::string summary_text(const std::vector<Summary>& summaries, const std::vecto
   return out;
 }
 
-std::string runs_csv(const std::vector<Run>& runs, const std::vector<std::string>& scenarios, const std::vector<Contestant>& contestants) {
+std::string runs_csv(const std::vector<Run>& runs, const std::vector<std::string>& scenarios,
+                     const std::vector<Contestant>& contestants) {
   std::string out =
-      "scenario,planner,seed,status,evaluations,plan_seconds,length,clearance,min_clearance,mean_clearance,max_curvature,max_curvature_rate,"
-      "curvature_change,curvature_change_printed,turning,direction_changes,collision_risk,travel_time,reason\n";
+      "scenario,planner,seed,status,evaluations,plan_seconds,length,clearance,min_clearance,mean_clearance,"
+      "max_curvature,max_curvature_rate,"
+      "curvature_change,curvature_change_printed,turning,direction_changes,collision_risk,travel_time,"
+      "reason\n";
   for (const Run& run : runs) {
     const Plan& p = run.plan;
-    out += fmt::format("{},{},{},{},{},{:.6f}", quoted(scenarios[run.scenario]), quoted(contestants[run.contestant].label), run.seed, to_string(p.status),
+    out += fmt::format("{},{},{},{},{},{:.6f}", quoted(scenarios[run.scenario]),
+                       quoted(contestants[run.contestant].label), run.seed, to_string(p.status),
                        p.effort.evaluations, p.timing.plan);
     if (p.samples.empty()) {
       out += ",,,,,,,,,,,,";
     } else {
       const Metrics& m = p.metrics;
-      out += fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{}", m.length, p.certificate.clearance, m.min_clearance, m.mean_clearance, m.max_curvature,
-                         m.max_curvature_rate, m.curvature_change, m.curvature_change_printed, m.turning, m.direction_changes, m.collision_risk, m.travel_time);
+      out += fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{}", m.length, p.certificate.clearance,
+                         m.min_clearance, m.mean_clearance, m.max_curvature, m.max_curvature_rate,
+                         m.curvature_change, m.curvature_change_printed, m.turning, m.direction_changes,
+                         m.collision_risk, m.travel_time);
     }
     out += "," + quoted(p.reason) + "\n";
   }

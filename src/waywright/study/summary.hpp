@@ -27,7 +27,8 @@ struct Summary {
   Share solved;
   std::size_t unproven = 0;  ///< runs with a path that could not be proven
   std::size_t paths = 0;     ///< runs with a path, proven or not
-  bool all_alike = false;    ///< several runs, the same to the last bit: the seed changes nothing, and they count as one
+  bool all_alike =
+      false;  ///< several runs, the same to the last bit: the seed changes nothing, and they count as one
   struct Failures {
     Status status = Status::no_path;
     std::size_t count = 0;
@@ -35,14 +36,17 @@ struct Summary {
     std::string reason;      ///< of the first
   };
   std::vector<Failures> failures;  ///< what was not solved, by status, in the order in which they came
-  Spread length, clearance, curvature_change, travel_time, evaluations, seconds;  ///< paths found, proven or not; effort of all
+  Spread length, clearance, curvature_change, travel_time, evaluations,
+      seconds;  ///< paths found, proven or not; effort of all
 };
 std::vector<Summary> summarise(const std::vector<Run>& runs, std::size_t scenarios, std::size_t contestants);
 
-/// Aligned for a terminal; figures of no path or no run are dashes, and what was not solved has its reasons below.
+/// Aligned for a terminal; figures of no path or no run are dashes, and what was not solved has its reasons
+/// below.
 std::string summary_text(const std::vector<Summary>& summaries, const std::vector<std::string>& scenarios,
                          const std::vector<Contestant>& contestants);
 /// One line a run, every metric.
-std::string runs_csv(const std::vector<Run>& runs, const std::vector<std::string>& scenarios, const std::vector<Contestant>& contestants);
+std::string runs_csv(const std::vector<Run>& runs, const std::vector<std::string>& scenarios,
+                     const std::vector<Contestant>& contestants);
 
 }  // namespace waywright

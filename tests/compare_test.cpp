@@ -1,0 +1,85 @@
+// Many runs side by side: fair when cut short, and no figures where there are none.
+#include "waywright/study/compare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "waywright/io/scenario_io.hpp"
+#include "waywright/study/summary.hpp"
+
+namespace waywright {
+namespace {
+
+std::vector<Problem> problems() {
+  std::vector<Problem> all;
+  for (const char* name : {"dock_middle.json", "goal_pose.json"}) {
+    all.push_back(
+        Problem::prepare(read_scenario(std::string{WAYWRIGHT_SOURCE_DIR} + "/examples/" + name).value())
+            .value());
+  }
+  return all;
+}
+
+const std::vector<Contestant> contestants{{"patterns", "pattern_docking", {}, {}},
+                                          {"trees", "ompl_rrt_connect", {}, {}}};
+
+TEST(Compare, WhatIsCutShortCanBeCompared) {
+  std::atomic<bool> cancel{false};
+  CompareOptions options;
+  options.runs = 100;
+  options.threads = 1;
+  options.budget.evaluations = 200;
+  options.cancel = &cancel;
+  options.progress = [&](std::size_t done, std::size_t) {
+    if (done == 9) cancel = true;
+  };
+  const auto runs = compare(problems(), contestants, options);
+  ASSERT_EQ(runs.size(), 9U);
+  std::vector<std::size_t> counts;
+  for (const Summary& s : summarise(runs, 2, 2)) counts.push_back(s.solved.all);
+  EXPECT_EQ(counts, (std::vector<std::size_t>{3, 2, 2, 2}));
+  for (std::size_t i = 1; i < runs.size(); ++i) {  // by scenario, contestant and seed
+    EXPECT_LT(std::tie(runs[i - 1].scenario, runs[i - 1].contestant, runs[i - 1].seed),
+              std::tie(runs[i].scenario, runs[i].contestant, runs[i].seed));
+  }
+}
+
+TEST(Compare, TheDefaultBudgetIsForWhoNamesNone) {
+  std::vector<Problem> both = problems();
+  Scenario own = both[0].scenario();
+  own.budget.evaluations = 60;
+  both[0] = Problem::prepare(own).value();
+  CompareOptions options;
+  options.default_evaluations = 90;
+  const auto runs = compare(both, {contestants[0]}, options);
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_LE(runs[0].plan.effort.evaluations, 60);
+  EXPECT_LE(runs[1].plan.effort.evaluations, 90);
+  EXPECT_GT(runs[1].plan.effort.evaluations, 60);
+}
+
+TEST(Compare, NoRunAndNoPathHaveNoFigures) {
+  waywright::Run failed;
+  failed.seed = 7;
+  failed.plan.status = Status::no_path;
+  failed.plan.reason = std::string(400, 'x') + " y";
+  waywright::Run other = failed;
+  other.seed = 8;
+  other.plan.status = Status::timed_out;
+  other.plan.reason = "too slow";
+  const auto summaries = summarise({failed, other}, 1, 2);
+  ASSERT_EQ(summaries.size(), 2U);
+  EXPECT_EQ(summaries[0].paths, 0U);
+  ASSERT_EQ(summaries[0].failures.size(), 2U);
+  EXPECT_EQ(summaries[0].failures[0].seed, 7U);
+  EXPECT_FALSE(summaries[0].all_alike);
+  const std::string text = summary_text(summaries, {"s"}, contestants);
+  EXPECT_EQ(text.find("0.000"), std::string::npos) << text;
+  EXPECT_EQ(text.find(std::string(200, 'x')), std::string::npos) << text;
+  EXPECT_EQ(text.find("0/0"), std::string::npos) << text;
+  EXPECT_NE(text.find("patterns: 1 × timed_out: too slow"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace waywright
