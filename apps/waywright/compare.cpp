@@ -133,19 +133,23 @@ int compare(const CompareArguments& arguments) {
   options.threads = arguments.threads;
   options.budget.evaluations = arguments.evaluations;
   options.progress = show_progress;
-  options.cancel = &interrupted;
-  const std::vector<Run> runs = waywright::compare(problems, *contestants, options);
+  const std::vector<Run> runs = [&] {
+    const Interruptible interruptible;
+    options.cancel = interruptible.flag();
+    return waywright::compare(problems, *contestants, options);
+  }();
 
   const auto summaries = summarise(runs, problems.size(), contestants->size());
   std::string text = summary_text(summaries, names, *contestants);
-  if (auto written = write_file(arguments.out / "compare.csv", runs_csv(runs, names, *contestants)); !written) return complain(written.error());
+  std::vector<NamedContent> files{{arguments.out / "compare.csv", runs_csv(runs, names, *contestants)}};
   text += fmt::format("\nwritten: {0}/compare.csv", arguments.out.string());
   for (std::size_t p = 0; p < problems.size(); ++p) {
     const std::string name = problems.size() == 1 ? "compare.svg" : fmt::format("compare-{}.svg", p + 1);
     const std::string picture = overlay_svg(problems[p], best_plans(runs, p, *contestants), 860.0);
-    if (auto written = write_file(arguments.out / name, picture); !written) return complain(written.error());
+    files.push_back({arguments.out / name, picture});
     text += fmt::format(", {}/{}", arguments.out.string(), name);
   }
+  if (auto written = write_files(files); !written) return complain(written.error());
   const std::size_t wanted = problems.size() * contestants->size() * static_cast<std::size_t>(arguments.runs);
   if (runs.size() < wanted) text += fmt::format("\ninterrupted: {} of {} runs are in the tables", runs.size(), wanted);
   return print(text + "\n") && runs.size() == wanted ? solved : not_solved;

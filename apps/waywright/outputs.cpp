@@ -31,11 +31,7 @@ Parsed<void> prepare_folder(const fs::path& folder) {
 }
 
 Parsed<void> write_plan(const fs::path& folder, const Problem& problem, const Plan& plan) {
-  for (const auto& [name, text] : {std::pair{"plan.json", plan_json(plan)}, {"plan.svg", plan_svg(problem, plan)},
-                                   {"report.html", report_html(problem, plan)}}) {
-    if (auto written = write_file(folder / name, text); !written) return written;
-  }
-  return {};
+  return write_files({{folder / "plan.json", plan_json(plan)}, {folder / "plan.svg", plan_svg(problem, plan)}, {folder / "report.html", report_html(problem, plan)}});
 }
 
 Parsed<Loaded> load(const fs::path& file, const std::function<Parsed<void>(Scenario&)>& change) {

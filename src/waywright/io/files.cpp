@@ -1,11 +1,13 @@
 #include "waywright/io/files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <openssl/evp.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <memory>
@@ -34,36 +36,73 @@ Parsed<std::string> read_file(const fs::path& path, std::uint64_t limit) {
   return content;
 }
 
-Parsed<void> write_file(const fs::path& path, const std::string& content) {
-  const auto refuse = [&](const std::string& problem) {
+namespace {
+
+/// Keeps signals that would end the program away while it lives.
+class SignalsWait {
+ public:
+  SignalsWait() {
+    sigset_t ending;
+    sigemptyset(&ending);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) sigaddset(&ending, signal);
+    ::pthread_sigmask(SIG_BLOCK, &ending, &before_);
+  }
+  ~SignalsWait() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsWait(const SignalsWait&) = delete;
+  SignalsWait& operator=(const SignalsWait&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+/// Writes, brings to the disk and closes; what went wrong, or 0.
+int write_whole(const fs::path& path, const std::string& content) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return errno;
+  int wrong = 0;
+  for (std::size_t written = 0; written < content.size() && wrong == 0;) {
+    const ssize_t n = ::write(file, content.data() + written, content.size() - written);
+    if (n >= 0) written += static_cast<std::size_t>(n);
+    else if (errno != EINTR) wrong = errno;
+  }
+  // Some file systems have nothing to bring to a disk.
+  if (wrong == 0 && ::fsync(file) != 0 && errno != EINVAL && errno != ENOTSUP) wrong = errno;
+  if (::close(file) != 0 && wrong == 0 && errno != EINTR) wrong = errno;
+  return wrong;
+}
+
+}  // namespace
+
+Parsed<void> write_files(const std::vector<NamedContent>& files) {
+  const SignalsWait waiting;
+  std::vector<fs::path> beside;
+  const auto refuse = [&](const fs::path& path, const std::string& problem) {
+    std::error_code ignored;
+    for (const fs::path& part : beside) fs::remove(part, ignored);
     return tl::unexpected{InputError{path.string(), "", problem, ""}};
   };
-  std::error_code error;
-  if (path.has_parent_path()) {
-    fs::create_directories(path.parent_path(), error);
-    if (error) return refuse("its folder cannot be made: " + error.message());
-  }
-  fs::path beside = path;
-  beside += fmt::format(".{}.part", ::getpid());
-  {
-    std::ofstream out{beside, std::ios::binary | std::ios::trunc};
-    out.write(content.data(), static_cast<std::streamsize>(content.size()));
-    out.flush();
-    if (!out) {
-      const std::string why = std::strerror(errno);
-      out.close();
-      fs::remove(beside, error);
-      return refuse("the file cannot be written: " + why);
+  for (const auto& [path, content] : files) {
+    std::error_code error;
+    if (path.has_parent_path()) {
+      fs::create_directories(path.parent_path(), error);
+      if (error) return refuse(path, "its folder cannot be made: " + error.message());
     }
+    beside.push_back(path);
+    beside.back() += fmt::format(".{}.part", ::getpid());
+    if (const int wrong = write_whole(beside.back(), content); wrong != 0) {
+      return refuse(path, fmt::format("the file cannot be written: {}", std::strerror(wrong)));
+    }
+    if (fs::is_directory(path, error)) return refuse(path, "the file cannot be written: it is a folder");
   }
-  fs::rename(beside, path, error);
-  if (error) {
-    std::error_code ignored;
-    fs::remove(beside, ignored);
-    return refuse("the file cannot be written: " + error.message());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    std::error_code error;
+    fs::rename(beside[i], files[i].path, error);
+    if (error) return refuse(files[i].path, "the file cannot be written: " + error.message());
   }
   return {};
 }
+
+Parsed<void> write_file(const fs::path& path, const std::string& content) { return write_files({{path, content}}); }
 
 std::string sha256(const std::string& bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};

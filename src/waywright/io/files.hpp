@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "waywright/core/result.hpp"
 
@@ -14,6 +15,14 @@ Parsed<std::string> read_file(const std::filesystem::path& path, std::uint64_t l
 
 /// Creates the folders needed, writes beside the target and renames: the file appears whole or not at all.
 Parsed<void> write_file(const std::filesystem::path& path, const std::string& content);
+
+/// The same for files that belong together: all are written beside their targets and safe on disk before the first is renamed. Signals
+/// that end the program wait meanwhile, so that no part is left behind.
+struct NamedContent {
+  std::filesystem::path path;
+  std::string content;
+};
+Parsed<void> write_files(const std::vector<NamedContent>& files);
 
 /// Lower-case hexadecimal SHA-256.
 std::string sha256(const std::string& bytes);
