@@ -72,12 +72,12 @@ TEST(RepairRing, NoAreaIsRefused) {
 
 TEST(RepairRing, CrossingEdgesAreNamed) {
   EXPECT_EQ(refusal({{0, 0}, {2, 2}, {2, 0}, {0, 2}}), "edges 0 and 2 cross at (1, 1)");
-  EXPECT_EQ(refusal({{0, 0}, {4, 0}, {4, 4}, {3, -1}, {0, 4}}), "edges 0 and 3 cross at (2.4, 0)");
+  EXPECT_EQ(refusal({{0, 0}, {4, 0}, {4, 4}, {3, -1}, {0, 4}}), "edges 0 and 2 cross at (3.2, 0)");
 }
 
 TEST(RepairRing, TouchingItselfIsRefused) {
   // A corner on an edge, a corner on a corner, an edge along an edge.
-  EXPECT_EQ(refusal({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}), "edges 0 and 3 touch at (2, 0)");
+  EXPECT_EQ(refusal({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}), "edges 0 and 2 touch at (2, 0)");
   EXPECT_NE(refusal({{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}).find("touch at (2, 2)"),
             std::string::npos);
   EXPECT_NE(refusal({{0, 0}, {5, 0}, {5, 3}, {3, 3}, {3, 0}, {2, 0}, {2, 3}, {0, 3}}).find("touch"),
@@ -159,7 +159,7 @@ TEST(RepairRing, FindsCrossingsWhereAllPairsDo) {
 Ring comb(int teeth, double slope) {
   Ring ring{{0.0, -1.0}, {1.0 * teeth, slope * teeth - 1.0}};
   for (int i = teeth; i-- > 0;) {
-    const double y = slope * i;
+    const double y = slope * (i + 0.05);
     ring.push_back({i + 0.9, y + 100.0});
     ring.push_back({i + 0.1, y + 100.0});
     ring.push_back({i + 0.05, y});
@@ -172,7 +172,7 @@ TEST(RepairRing, LargeOutlinesAreCheckedInLittleWork) {
   Random random{31};
   Ring round;
   for (int i = 0; i < 100'000; ++i) round.push_back(random.uniform(9.0, 9.0001) * unit(two_pi * i / 100'000.0));
-  for (Ring ring : {round, comb(33'000, 0.0), comb(33'000, 1.0), comb(33'000, 300.0)}) {
+  for (Ring ring : {round, comb(33'000, 0.0), comb(33'000, 1.0), comb(33'000, 90.0)}) {
     EXPECT_FALSE(repair_ring(ring).refused) << *repair_ring(ring).refused;
     const std::size_t far = ring.size() / 3;
     std::swap(ring[5], ring[far]);

@@ -9,8 +9,10 @@ namespace {
 
 constexpr std::int64_t most_cells = 1LL << 29;    // of all grids of a scenario: two of the largest pictures
 constexpr std::int64_t longest_side = 1LL << 20;  // cells
-constexpr std::size_t most_edges = 4'000'000;     // of polygons, lines, points and the outlines of blocked cells
-constexpr std::size_t most_runs = 3'000'000;      // of equal cells, of all grids: two values each in a plan file
+// Of polygons, lines, points and the outlines of blocked cells; and of runs of equal cells in all grids. Three and two values each in a
+// plan file: with the most samples there may be, a plan of the largest map can still be read.
+constexpr std::size_t most_edges = 2'000'000;
+constexpr std::size_t most_runs = 2'000'000;
 
 }  // namespace
 
