@@ -9,7 +9,7 @@
 namespace waywright {
 namespace {
 
-constexpr std::int64_t work_for_each = 200;    // pairs of boxes looked at, for each edge
+constexpr std::int64_t work_for_each = 200;  // pairs of boxes looked at, for each edge
 constexpr std::int64_t work_for_all = 4'000'000;
 
 int sign_of_turn(Vec2 a, Vec2 b, Vec2 c) {
@@ -40,7 +40,8 @@ std::optional<Meeting> meeting(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return std::nullopt;
 }
 
-/// A hierarchy of runs of edges, each half of the one above. Neighbouring runs of a simple ring hardly overlap.
+/// A hierarchy of runs of edges, each half of the one above. Neighbouring runs of a simple ring hardly
+/// overlap.
 class Search {
  public:
   explicit Search(const Ring& ring) : ring_{ring} {
@@ -51,7 +52,8 @@ class Search {
       const Box& a = boxes_[2 * k];
       const Box& b = boxes_[2 * k + 1];
       boxes_[k] = is_nothing(b) ? a
-                                : Box{{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)}, {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+                                : Box{{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
+                                      {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
     }
     work_left_ = work_for_all + work_for_each * static_cast<std::int64_t>(ring.size());
   }
@@ -92,9 +94,12 @@ class Search {
   }
 
   void edges(std::size_t i, std::size_t k) {
-    if (i + 1 == k || (i == 0 && k + 1 == ring_.size())) return;  // neighbours share a corner; spikes are looked for before
+    if (i + 1 == k || (i == 0 && k + 1 == ring_.size()))
+      return;  // neighbours share a corner; spikes are looked for before
     const auto met = meeting(ring_[i], end_of(i), ring_[k], end_of(k));
-    if (met) found_ = fmt::format("edges {} and {} {} at ({:g}, {:g})", i, k, met->crosses ? "cross" : "touch", met->point.x, met->point.y);
+    if (met)
+      found_ = fmt::format("edges {} and {} {} at ({:g}, {:g})", i, k, met->crosses ? "cross" : "touch",
+                           met->point.x, met->point.y);
   }
 
   const Ring& ring_;
