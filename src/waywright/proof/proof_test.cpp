@@ -311,6 +311,18 @@ TEST(Proof, WhatNeedsTooManySamplesIsRefusedBeforeAnythingIsLookedAt) {
   EXPECT_FALSE(judged({{{Arc{{}, 1e6, 63.0}, 1}}}).measurable);
 }
 
+TEST(Proof, ACanceledProofIsUndecided) {
+  const Path path{{{Arc{{}, 0.3, 4.0}, 1}}};
+  const Problem problem = problem_for({}, path, forklift().footprint);
+  std::atomic<bool> cancel{false};
+  ProofOptions options;
+  options.cancel = &cancel;
+  EXPECT_TRUE(prove(problem, path, options).holds());
+  cancel = true;
+  EXPECT_FALSE(prove(problem, path, options).holds());
+  EXPECT_FALSE(prove(problem, path, options).certificate.collision_free);
+}
+
 TEST(Proof, NothingNearIsNoTightestPlace) {
   Map map;
   map.points = {{5.0, 90.0}};
