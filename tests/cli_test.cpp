@@ -1,5 +1,6 @@
 // The command line as a user meets it: files, standard streams, exit statuses.
 #include <gtest/gtest.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -182,6 +183,12 @@ TEST_F(CommandLine, ImportJudgesAnyonesPoses) {
   const Outcome good = run("import p.csv --scenario " + example("dock_middle.json") + " -o i");
   EXPECT_EQ(good.status, 0) << good.out << good.err;
   EXPECT_EQ(run("verify i/plan.json").status, 0);
+  // The scenario in it is the user's, and can be planned again.
+  const Json imported = Json::parse(slurp(folder_ / "i/plan.json"));
+  EXPECT_EQ(imported["planner"]["name"], "import");
+  EXPECT_EQ(imported["scenario"]["planner"]["name"], "pattern_docking");
+  std::ofstream{folder_ / "again.json"} << imported["scenario"].dump();
+  EXPECT_EQ(run("plan again.json -o again").status, 0);
   std::ofstream{folder_ / "bad.csv"} << "x,y,heading\n9.5,7,0\n2,7,3.14159265\n";
   EXPECT_EQ(run("import bad.csv --scenario " + example("dock_middle.json") + " -o b").status, 1);
   std::ofstream{folder_ / "broken.csv"} << "x,y,heading\n9.5,seven,0\n2,7,3.1\n";
@@ -306,6 +313,10 @@ TEST_F(CommandLine, BadScenariosAreOneSentenceThatNamesTheField) {
       {"planner", [](Json& j) { j["planner"] = {{"name", "oracle"}}; }, {"oracle", "pattern_docking"}},
       {"parameter", [](Json& j) { j["planner"] = {{"name", "pattern_docking"}, {"optimizer", "luck"}}; }, {"optimizer", "luck", "de"}},
       {"budget", [](Json& j) { j["budget"] = {{"evaluations", 0}}; }, {"budget.evaluations"}},
+      {"expansions", [](Json& j) { j["budget"] = {{"expansions", 10}}; }, {"budget.expansions", "pattern_docking counts no expansions", "evaluations, samples, seconds"}},
+      {"samples", [](Json& j) { j["budget"] = {{"samples", 10}}; j["planner"] = {{"name", "pattern_docking"}, {"fallback", false}}; }, {"budget.samples", "counts no samples"}},
+      {"published samples", [](Json& j) { j["budget"] = {{"samples", 10}}; j["planner"] = {{"name", "pattern_docking_published"}}; }, {"budget.samples", "counts no samples"}},
+      {"mecanum", [](Json& j) { j["vehicle"] = {{"footprint", {{"disc", 0.3}}}, {"drive", {{"type", "mecanum"}, {"wheel_radius", 0.1}, {"half_length", 0.3}, {"half_width", 0.3}}}}; }, {"vehicle.drive.type", "not supported yet", "tricycle, differential"}},
       {"seed", [](Json& j) { j["seed"] = 1.5; }, {"seed", "whole"}},
       {"map kinds", [](Json& j) { j["map"]["ros"] = "x.yaml"; }, {"kinds of map"}},
       {"map file", [](Json& j) { j["map"] = {{"ros", "x.yaml"}}; }, {"x.yaml", "no such file"}},
@@ -489,6 +500,62 @@ TEST_F(CommandLine, InterruptKeepsWhatIsFinishedAndEndsInOrder) {
   EXPECT_EQ(plan["reproducible"], false);
   EXPECT_NE(slurp(folder_ / "err.txt").find("interrupted"), std::string::npos);
   EXPECT_NE(slurp(folder_ / "o/report.html").find("Interrupted, no path yet"), std::string::npos);
+}
+
+/// A command that waits for its input is interrupted: it ends by the signal.
+TEST_F(CommandLine, InterruptEndsEveryCommandThatReads) {
+  const fs::path pipe = folder_ / "pipe.yaml";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const std::string scenario = example("dock_middle.json");
+  for (const std::vector<const char*>& arguments : std::vector<std::vector<const char*>>{
+           {"verify", "pipe.yaml"}, {"plan", "pipe.yaml"}, {"compare", "pipe.yaml"}, {"map", "pipe.yaml"}, {"import", "pipe.yaml", "--scenario", scenario.c_str()}}) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      if (::chdir(folder_.c_str()) != 0) ::_exit(9);
+      std::vector<char*> argv{const_cast<char*>("waywright")};
+      for (const char* a : arguments) argv.push_back(const_cast<char*>(a));
+      argv.push_back(nullptr);
+      ::execv(WAYWRIGHT_BINARY, argv.data());
+      ::_exit(9);
+    }
+    const int writer = ::open(pipe.c_str(), O_WRONLY);  // returns once the command reads
+    ASSERT_GE(writer, 0);
+    ::kill(child, SIGINT);
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << arguments[0];
+    ::close(writer);
+  }
+  for (const auto& entry : fs::directory_iterator{folder_}) EXPECT_EQ(entry.path(), pipe);
+}
+
+/// Output closed or not, with children of its own or not: an outside planner ends with its budget.
+TEST_F(CommandLine, OutsidePlannersDoNotOutliveTheirBudget) {
+  Json j = scenario();
+  j["budget"] = {{"seconds", 0.2}};
+  const std::string file = write(j);
+  for (const std::string command : {"exec 1>&-; echo $$ >pid; sleep 600", "sleep 600 >/dev/null & echo $! >pid; exec 1>&-; wait", "echo $$ >pid; sleep 600"}) {
+    const Outcome o = run("compare " + file + " --planners 'exec:" + command + "' -o c");
+    EXPECT_NE(slurp(folder_ / "c/compare.csv").find("timed_out"), std::string::npos) << o.err;
+    // Killed before its parent was waited for; it may still be waiting for init to take note.
+    const std::string process = "/proc/" + std::to_string(std::atoi(slurp(folder_ / "pid").c_str())) + "/stat";
+    const std::string stat = slurp(process);
+    EXPECT_TRUE(stat.empty() || stat.find(") Z ") != std::string::npos || stat.find(") X ") != std::string::npos) << stat;
+  }
+  // What a planner leaves running when it is done goes with it.
+  std::ofstream{folder_ / "p.csv"} << "x,y,heading\n9.5,7,0\n9,7,0\n";
+  j["budget"] = {{"seconds", 600}};
+  EXPECT_EQ(run("compare " + write(j) + " --planners 'exec:sleep 600 >/dev/null & echo $! >pid; cat p.csv' -o c").status, 0);
+  const std::string stat = slurp("/proc/" + std::to_string(std::atoi(slurp(folder_ / "pid").c_str())) + "/stat");
+  EXPECT_TRUE(stat.empty() || stat.find(") Z ") != std::string::npos || stat.find(") X ") != std::string::npos) << stat;
+}
+
+TEST_F(CommandLine, OutputsAppearTogetherOrNotAtAll) {
+  fs::create_directories(folder_ / "o/report.html");  // the last of the three cannot be written
+  EXPECT_EQ(run("plan " + example("dock_middle.json") + " -o o").status, 2);
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator{folder_ / "o"}) names.push_back(entry.path().filename().string());
+  EXPECT_EQ(names, std::vector<std::string>{"report.html"});
 }
 
 TEST_F(CommandLine, StationOnARealMap) {

@@ -26,6 +26,9 @@ std::string without_timing(std::string text) {
 class Conformance : public testing::TestWithParam<std::string> {
  protected:
   const PlannerDescription& planner() const { return *find_planner(GetParam()); }
+  bool counts_samples() const {
+    return planner().counts_samples && planner().counts_samples(*complete_parameters(planner(), {}));
+  }
 };
 
 TEST_P(Conformance, IsRegisteredWithDescribedParameters) {
@@ -77,11 +80,26 @@ TEST_P(Conformance, ResultIsJudgedByVerify) {
 TEST_P(Conformance, ObeysItsBudget) {
   Scenario scenario = example("dock_cluttered.json", planner()).scenario();
   scenario.budget.evaluations = 10;
-  scenario.budget.samples = 10;
+  if (counts_samples()) scenario.budget.samples = 10;
   const Plan plan = *solve(Problem::prepare(scenario).value());
   EXPECT_LE(plan.effort.evaluations, 10);
   EXPECT_GT(plan.effort.evaluations, 0);
   EXPECT_TRUE(plan.reproducible);
+}
+
+TEST_P(Conformance, RefusesABudgetOfWorkThatItDoesNotCount) {
+  Scenario scenario = example("dock_middle.json", planner()).scenario();
+  scenario.budget.expansions = 10;
+  const auto expansions = solve(Problem::prepare(scenario).value());
+  ASSERT_FALSE(expansions);
+  EXPECT_EQ(expansions.error().field, "budget.expansions");
+  scenario.budget.expansions.reset();
+  scenario.budget.samples = 100'000;
+  const auto samples = solve(Problem::prepare(scenario).value());
+  ASSERT_EQ(samples.has_value(), counts_samples());
+  if (!samples) {
+    EXPECT_EQ(samples.error().field, "budget.samples");
+  }
 }
 
 TEST_P(Conformance, ObeysCancelAndDeadline) {
@@ -98,7 +116,7 @@ TEST_P(Conformance, ObeysCancelAndDeadline) {
 
 TEST_P(Conformance, FailsWithItsCause) {
   Scenario scenario = example("dock_impossible.json", planner()).scenario();
-  scenario.budget.samples = 5000;
+  if (counts_samples()) scenario.budget.samples = 5000;
   const Plan plan = *solve(Problem::prepare(scenario).value());
   EXPECT_EQ(plan.status, Status::no_path);
   EXPECT_FALSE(plan.reason.empty());

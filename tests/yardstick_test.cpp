@@ -44,7 +44,7 @@ Verdicts compare(Clutter clutter, std::uint64_t seed, int count) {
       for (const Piece& piece : pattern_path(splines_of(pattern)).pieces) {
         for (MotionInterval& interval : MotionInterval::of(piece)) motion.push_back(std::move(interval));
       }
-      const SweptClearance swept = swept_clearance(problem.world(), problem.vehicle().footprint, motion, 1e-5);
+      const SweptClearance swept = swept_clearance(problem.world(), problem.vehicle().footprint, motion, {.tolerance = 1e-5});
       if (swept.upper <= problem.required_clearance()) {
         ++verdicts.missed;
       } else {

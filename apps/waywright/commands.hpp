@@ -16,8 +16,17 @@ inline constexpr int solved = 0;
 inline constexpr int not_solved = 1;
 inline constexpr int bad_input = 2;
 
-/// Raised by SIGINT and SIGTERM.
-extern std::atomic<bool> interrupted;
+/// While one lives, SIGINT and SIGTERM raise a flag, for work that stops in order and keeps what is finished; should it not end within
+/// some seconds, or the signal come again, the program ends. At all other times these signals end the program at once, which is safe:
+/// files appear whole or not at all.
+class Interruptible {
+ public:
+  Interruptible();
+  ~Interruptible();
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+  const std::atomic<bool>* flag() const;
+};
 
 /// Prints the one sentence; returns the exit status 2.
 int complain(const InputError& error);

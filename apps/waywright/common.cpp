@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 
@@ -27,7 +28,39 @@ std::string printable(const std::string& text) {
   return out;
 }
 
+constexpr unsigned patience = 3;  // s
+constexpr int ended_by_interrupt = 128 + SIGINT;
+
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void on_signal(int) {
+  if (interrupted.exchange(true)) ::_exit(ended_by_interrupt);
+  ::alarm(patience);
+}
+extern "C" void on_alarm(int) { ::_exit(ended_by_interrupt); }
+
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  ::sigaction(signal, &action, nullptr);
+}
+
 }  // namespace
+
+Interruptible::Interruptible() {
+  handle(SIGALRM, on_alarm);
+  handle(SIGINT, on_signal);
+  handle(SIGTERM, on_signal);
+}
+
+Interruptible::~Interruptible() {
+  ::alarm(0);
+  for (const int signal : {SIGINT, SIGTERM, SIGALRM}) handle(signal, SIG_DFL);
+}
+
+const std::atomic<bool>* Interruptible::flag() const { return &interrupted; }
 
 int complain(const InputError& error) {
   std::fprintf(stderr, "waywright: %s\n", printable(error.message()).c_str());

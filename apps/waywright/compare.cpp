@@ -230,12 +230,15 @@ int compare(const CompareArguments& arguments) {
   options.runs = arguments.runs;
   options.threads = arguments.threads;
   options.progress = show_progress;
-  options.cancel = &interrupted;
-  const std::vector<Run> runs = waywright::compare(problems, *contestants, options);
+  const std::vector<Run> runs = [&] {
+    const Interruptible interruptible;
+    options.cancel = interruptible.flag();
+    return waywright::compare(problems, *contestants, options);
+  }();
 
   const auto summaries = summarise(runs, problems.size(), contestants->size());
   std::string text = *budget + summary_text(summaries, names, *contestants);
-  std::vector<NamedText> files{{arguments.out / "compare.csv", runs_csv(runs, names, *contestants)}};
+  std::vector<NamedContent> files{{arguments.out / "compare.csv", runs_csv(runs, names, *contestants)}};
   text += fmt::format("\nwritten: {0}/compare.csv", arguments.out.string());
   for (std::size_t p = 0; p < problems.size(); ++p) {
     const std::string name = problems.size() == 1 ? "compare.svg" : fmt::format("compare-{}.svg", p + 1);

@@ -20,10 +20,8 @@ int generate_warehouse_map(const GenerateArguments& arguments) {
       "image: {}\nmode: trinary\nresolution: {}\norigin: [0.0, 0.0, 0.0]\nnegate: 0\noccupied_thresh: "
       "0.65\nfree_thresh: 0.196\n",
       picture.filename().string(), warehouse_cell);
-  if (auto written = write_files({{picture, encode_png(image)}, {arguments.out, yaml}}); !written)
-    return complain(written.error());
-  return print(fmt::format("written: {}, {}\n", arguments.out.string(), picture.string())) ? solved
-                                                                                           : not_solved;
+  if (auto written = write_files({{picture, encode_png(image)}, {arguments.out, yaml}}); !written) return complain(written.error());
+  return print(fmt::format("written: {}, {}\n", arguments.out.string(), picture.string())) ? solved : not_solved;
 }
 
 }  // namespace

@@ -7,23 +7,9 @@
 #include "commands.hpp"
 #include "waywright/core/version.hpp"
 
-namespace waywright::app {
-std::atomic<bool> interrupted{false};
-}
-
 namespace {
 
 using namespace waywright::app;
-
-extern "C" void on_signal(int) { interrupted.store(true, std::memory_order_relaxed); }
-
-void catch_signals() {
-  struct sigaction action {};
-  action.sa_handler = on_signal;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);
-}
 
 int run(int argc, char** argv) {
   CLI::App app{"waywright: safe, smooth, short and explainable paths for industrial mobile robots.\n"
@@ -123,7 +109,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  catch_signals();
+  std::signal(SIGPIPE, SIG_IGN);
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -27,7 +27,11 @@ Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario) {
     }
   }
   auto complete = complete_parameters(scenario.planner);
-  if (complete) return {};
+  if (complete) {
+    auto kept = check_budget(scenario.planner.name, *complete, scenario.budget);
+    if (!kept) kept.error().file = arguments.scenario.string();
+    return kept;
+  }
   if (arguments.planner.empty()) complete.error().file = arguments.scenario.string();
   return tl::unexpected{complete.error()};
 }
@@ -44,7 +48,10 @@ int plan(const PlanArguments& arguments) {
   if (write) {
     if (auto ready = prepare_folder(folder); !ready) return complain(ready.error());
   }
-  auto plan = solve(problem, &interrupted);
+  auto plan = [&] {
+    const Interruptible interruptible;
+    return solve(problem, interruptible.flag());
+  }();
   if (!plan) {
     InputError error = plan.error();
     error.file = arguments.scenario.string();

@@ -16,7 +16,7 @@ constexpr int deepest = 40;         // halvings: only a cusp gets there
 constexpr double share = 0.05;      // by which a peak's bound may be over it
 constexpr double least = 0.01;      // 1/m and 1/m²: smaller differences do not matter to anyone
 
-Bernstein coordinate(const BezierSpan& span, double Vec2::* axis) {
+Bernstein coordinate(const BezierSpan& span, double Vec2::*axis) {
   Bernstein b;
   b.degree = static_cast<std::size_t>(span.degree);
   for (std::size_t i = 0; i <= b.degree; ++i) b.c[i] = span.control[i].*axis;
@@ -71,8 +71,9 @@ SpanBounds::SpanBounds(const BezierSpan& span) {
   turn.p = combine(1.0, dx * derivative(dy), -1.0, dy * derivative(dx));
   speed2.p = combine(1.0, dx * dx, 1.0, dy * dy);
   rate.p = combine(1.0, derivative(turn.p) * speed2.p, -1.5, turn.p * derivative(speed2.p));
-  // The differences dx, dy are right to 2 units in the last place. A product adds at most 32 units of the greatest product of
-  // coefficients (its weights sum to 1); second derivatives are at most 8 times the first, with 24 units of theirs as error.
+  // The differences dx, dy are right to 2 units in the last place. A product adds at most 32 units of the
+  // greatest product of coefficients (its weights sum to 1); second derivatives are at most 8 times the
+  // first, with 24 units of theirs as error.
   const double g = std::max(greatest(dx), greatest(dy));
   const double n = greatest(turn.p);
   const double d = greatest(speed2.p);
@@ -106,15 +107,19 @@ CurvaturePeaks curvature_peaks(const BezierSpan& span) {
   if (span.degree < 2) return {};
   const SpanBounds whole{span};
   CurvaturePeaks peaks;
-  peaks.curvature = peak(whole, [](const SpanBounds& b) { return b.curvature(); }, [](const SpanBounds& b) {
-    const double d = b.speed2.p.c[0];
-    return d > 0.0 ? std::abs(b.turn.p.c[0]) / (d * std::sqrt(d)) : 0.0;
-  });
+  peaks.curvature = peak(
+      whole, [](const SpanBounds& b) { return b.curvature(); },
+      [](const SpanBounds& b) {
+        const double d = b.speed2.p.c[0];
+        return d > 0.0 ? std::abs(b.turn.p.c[0]) / (d * std::sqrt(d)) : 0.0;
+      });
   if (!std::isfinite(peaks.curvature)) return {infinity, infinity};
-  peaks.rate = peak(whole, [](const SpanBounds& b) { return b.curvature_rate(); }, [](const SpanBounds& b) {
-    const double d = b.speed2.p.c[0];
-    return d > 0.0 ? std::abs(b.rate.p.c[0]) / (d * d * d) : 0.0;
-  });
+  peaks.rate = peak(
+      whole, [](const SpanBounds& b) { return b.curvature_rate(); },
+      [](const SpanBounds& b) {
+        const double d = b.speed2.p.c[0];
+        return d > 0.0 ? std::abs(b.rate.p.c[0]) / (d * d * d) : 0.0;
+      });
   return peaks;
 }
 

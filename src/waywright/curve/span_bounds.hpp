@@ -1,4 +1,5 @@
-// Rigorous bounds of curvature and its rate on a Bézier span, from polynomials in Bernstein form with bounds of their rounding.
+// Rigorous bounds of curvature and its rate on a Bézier span, from polynomials in Bernstein form with bounds
+// of their rounding.
 #pragma once
 
 #include <utility>
@@ -20,8 +21,9 @@ struct BoundedPolynomial {
   std::pair<BoundedPolynomial, BoundedPolynomial> halves(double scale) const;
 };
 
-/// Of a span and of the halves it is cut into. Where the speed may vanish, no bound on curvature exists: at a double root of the squared
-/// speed rounding alone could make a positive bound of it, which is why errors are carried along.
+/// Of a span and of the halves it is cut into. Where the speed may vanish, no bound on curvature exists: at a
+/// double root of the squared speed rounding alone could make a positive bound of it, which is why errors are
+/// carried along.
 struct SpanBounds {
   BoundedPolynomial turn;    // N = x′y″ − y′x″
   BoundedPolynomial speed2;  // D = x′² + y′²

@@ -26,7 +26,8 @@ TEST(SpanBounds, PeaksAreOverEverySampleAndHardlyMore) {
     }
     EXPECT_GE(peaks.curvature, curvature * (1.0 - 1e-9));
     EXPECT_GE(peaks.rate, rate * (1.0 - 1e-9));
-    if (!std::isfinite(peaks.rate) || curvature > 100.0) continue;  // samples step over peaks narrower than they are apart
+    if (!std::isfinite(peaks.rate) || curvature > 100.0)
+      continue;  // samples step over peaks narrower than they are apart
     ++finite;
     EXPECT_LE(peaks.curvature, 1.06 * curvature + 0.011) << i;
     EXPECT_LE(peaks.rate, 1.06 * rate + 0.011) << i;
@@ -38,7 +39,8 @@ TEST(SpanBounds, ThereIsNoBoundWhereTheSpeedVanishes) {
   Random random{5};
   for (int i = 0; i < 200; ++i) {
     // x′ has a root inside; y′ is 0, or has the same root.
-    const double root = random.uniform(0.05, 0.95), slope = random.uniform(0.5, 3.0), side = i % 2 == 0 ? 0.0 : random.uniform(-1.0, 1.0);
+    const double root = random.uniform(0.05, 0.95), slope = random.uniform(0.5, 3.0),
+                 side = i % 2 == 0 ? 0.0 : random.uniform(-1.0, 1.0);
     const double end = slope * (0.5 - root);
     BezierSpan span{2, {Vec2{0, 0}, {-0.5 * slope * root, -0.5 * side * slope * root}, {end, side * end}}};
     EXPECT_TRUE(std::isinf(curvature_peaks(span).curvature)) << root;

@@ -231,6 +231,10 @@ TEST(BadScenario, FilesThatAreNamedSpeakForThemselves) {
   folder.write("bare.json", R"({"obstacles": [[[0,0],[1,1]]]})");
   folder.write("circle.json", R"({"polygons": "circle.json"})");
   folder.write("other.json", R"({"wall": []})");
+  std::string corners = "[";
+  for (int i = 0; i < 501; ++i) corners += (i == 0 ? "[" : ",[") + std::to_string(i) + "," + std::to_string(i * i * 1e-3) + "]";
+  EXPECT_EQ(with("/vehicle", R"({"drive": {"type": "differential", "track": 0.5}, "footprint": )" + corners + "]}"),
+            "s.json: vehicle.footprint: the polygon has 501 corners (allowed: at most 500)");
   EXPECT_EQ(with("/vehicle", "\"v.json\""),
             "v.json: footprint.disc: -1 is out of range (allowed: 0 to 1000)");
   // Of a file that is not there, the field that names it is told too.

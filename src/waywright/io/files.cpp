@@ -1,11 +1,13 @@
 #include "waywright/io/files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <openssl/evp.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <memory>
@@ -31,22 +33,37 @@ Parsed<std::ifstream> open_file(const fs::path& path) {
   return in;
 }
 
-/// Writes the text beside its target; returns where.
-Parsed<fs::path> write_beside(const fs::path& path, const std::string& content) {
-  std::error_code error;
-  if (fs::is_directory(path, error)) return refuse(path, "the file cannot be written: a folder has its name", "the name of a file");
-  if (path.has_parent_path() && !fs::is_directory(path.parent_path(), error)) {
-    return refuse(path, fmt::format("there is no folder {}", path.parent_path().string()), "a folder that is there");
+/// Keeps signals that would end the program away while it lives.
+class SignalsWait {
+ public:
+  SignalsWait() {
+    sigset_t ending;
+    sigemptyset(&ending);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) sigaddset(&ending, signal);
+    ::pthread_sigmask(SIG_BLOCK, &ending, &before_);
   }
-  fs::path beside = path;
-  beside += fmt::format(".{}.part", ::getpid());
-  std::ofstream out{beside, std::ios::binary | std::ios::trunc};
-  out.write(content.data(), static_cast<std::streamsize>(content.size()));
-  out.close();
-  if (out) return beside;
-  const std::string why = std::strerror(errno);
-  fs::remove(beside, error);
-  return refuse(path, "the file cannot be written: " + why);
+  ~SignalsWait() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsWait(const SignalsWait&) = delete;
+  SignalsWait& operator=(const SignalsWait&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+/// Writes, brings to the disk and closes; what went wrong, or 0.
+int write_whole(const fs::path& path, const std::string& content) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return errno;
+  int wrong = 0;
+  for (std::size_t written = 0; written < content.size() && wrong == 0;) {
+    const ssize_t n = ::write(file, content.data() + written, content.size() - written);
+    if (n >= 0) written += static_cast<std::size_t>(n);
+    else if (errno != EINTR) wrong = errno;
+  }
+  // Some file systems have nothing to bring to a disk.
+  if (wrong == 0 && ::fsync(file) != 0 && errno != EINVAL && errno != ENOTSUP) wrong = errno;
+  if (::close(file) != 0 && wrong == 0 && errno != EINTR) wrong = errno;
+  return wrong;
 }
 
 }  // namespace
@@ -74,27 +91,35 @@ Parsed<std::string> read_head(const fs::path& path, std::size_t count) {
   return head;
 }
 
-Parsed<void> write_file(const fs::path& path, const std::string& content) { return write_files({{path, content}}); }
-
-Parsed<void> write_files(const std::vector<NamedText>& files) {
-  std::vector<fs::path> written;
-  std::error_code ignored;
-  const auto give_up = [&](InputError error) {
-    for (const fs::path& beside : written) fs::remove(beside, ignored);
-    return tl::unexpected{std::move(error)};
+Parsed<void> write_files(const std::vector<NamedContent>& files) {
+  const SignalsWait waiting;
+  std::vector<fs::path> beside;
+  const auto give_up = [&](const fs::path& path, std::string problem, std::string allowed = "") {
+    std::error_code ignored;
+    for (const fs::path& part : beside) fs::remove(part, ignored);
+    return refuse(path, std::move(problem), std::move(allowed));
   };
-  for (const NamedText& file : files) {
-    auto beside = write_beside(file.path, file.content);
-    if (!beside) return give_up(beside.error());
-    written.push_back(*beside);
+  for (const auto& [path, content] : files) {
+    std::error_code error;
+    if (fs::is_directory(path, error)) return give_up(path, "the file cannot be written: a folder has its name", "the name of a file");
+    if (path.has_parent_path() && !fs::is_directory(path.parent_path(), error)) {
+      return give_up(path, fmt::format("there is no folder {}", path.parent_path().string()), "a folder that is there");
+    }
+    beside.push_back(path);
+    beside.back() += fmt::format(".{}.part", ::getpid());
+    if (const int wrong = write_whole(beside.back(), content); wrong != 0) {
+      return give_up(path, fmt::format("the file cannot be written: {}", std::strerror(wrong)));
+    }
   }
   for (std::size_t i = 0; i < files.size(); ++i) {
     std::error_code error;
-    fs::rename(written[i], files[i].path, error);
-    if (error) return give_up(refuse(files[i].path, "the file cannot be written: " + error.message()).value());
+    fs::rename(beside[i], files[i].path, error);
+    if (error) return give_up(files[i].path, "the file cannot be written: " + error.message());
   }
   return {};
 }
+
+Parsed<void> write_file(const fs::path& path, const std::string& content) { return write_files({{path, content}}); }
 
 std::string sha256(const std::string& bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};

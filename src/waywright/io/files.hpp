@@ -19,12 +19,13 @@ Parsed<std::string> read_head(const std::filesystem::path& path, std::size_t cou
 /// Writes beside the target and renames: the file appears whole or not at all. Its folder must be there.
 Parsed<void> write_file(const std::filesystem::path& path, const std::string& content);
 
-struct NamedText {
+struct NamedContent {
   std::filesystem::path path;
   std::string content;
 };
-/// All of them or none: all are written beside their targets before the first is renamed.
-Parsed<void> write_files(const std::vector<NamedText>& files);
+/// All of them or none: all are written beside their targets and safe on disk before the first is renamed. Signals that end the program wait
+/// meanwhile, so that no part is left behind. Their folders must be there.
+Parsed<void> write_files(const std::vector<NamedContent>& files);
 
 /// Lower-case hexadecimal SHA-256.
 std::string sha256(const std::string& bytes);

@@ -118,7 +118,7 @@ Parsed<GreyImage> decode_png(const std::string& bytes, const std::string& name) 
     return refuse(name, sentence);
   }
   GreyImage image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
-  // Asked for as RGBA in file values, so that colours are averaged as they stand and transparency changes nothing.
+  // Asked for as RGBA in file values, so that colours are averaged as they stand, whatever the transparency.
   png.format = PNG_FORMAT_RGBA;
   const std::size_t count = static_cast<std::size_t>(png.width) * png.height;
   std::vector<std::uint8_t> rgba(PNG_IMAGE_SIZE(png));
@@ -131,6 +131,9 @@ Parsed<GreyImage> decode_png(const std::string& bytes, const std::string& name) 
   for (std::size_t i = 0; i < count; ++i) {
     const unsigned sum = static_cast<unsigned>(rgba[4 * i]) + rgba[4 * i + 1] + rgba[4 * i + 2];
     image.pixels[i] = static_cast<std::uint8_t>((sum + 1) / 3);
+    if (rgba[4 * i + 3] == 255) continue;
+    image.see_through.resize(count);
+    image.see_through[i] = true;
   }
   return image;
 }

@@ -11,11 +11,12 @@
 
 namespace waywright {
 
-/// Row 0 is the top. 0 black … 1 white is value/255; colours are averaged, transparency is ignored.
+/// Row 0 is the top. 0 black … 1 white is value/255; colours are averaged as they stand.
 struct GreyImage {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> pixels;
+  std::vector<bool> see_through{};  ///< pixels that are not opaque; empty where all are
 };
 
 inline constexpr int largest_side = 16384;  ///< pixels

@@ -89,6 +89,7 @@ class MapReader {
     }
     if (!node_.failed()) check_limits();
     if (!node_.failed() && node_.has("overlay")) read_overlays(source);
+    if (!node_.failed()) check_size(node_, map_);
     if (!recorded || map_.notes.size() > known_notes) {
       if (!map_.notes.empty()) source["notes"] = map_.notes;
     }

@@ -9,6 +9,10 @@ namespace {
 
 constexpr std::int64_t most_cells = 1LL << 29;    // of all grids of a scenario: two of the largest pictures
 constexpr std::int64_t longest_side = 1LL << 20;  // cells
+// Of polygons, lines, points and the outlines of blocked cells; and of runs of equal cells in all grids. Three and two values each in a
+// plan file: with the most samples there may be, a plan of the largest map can still be read.
+constexpr std::size_t most_edges = 2'000'000;
+constexpr std::size_t most_runs = 2'000'000;
 
 }  // namespace
 
@@ -117,6 +121,32 @@ Json cells_to_json(const CellGrid& grid) {
   return {{"name", grid.name},      {"columns", grid.columns},        {"rows", grid.rows},
           {"cell", grid.cell},      {"origin", to_json(grid.origin)}, {"bounds", grid.bounds},
           {"runs", std::move(runs)}};
+}
+
+void check_size(const Node& node, const Map& map) {
+  std::size_t edges = map.points.size();
+  for (const auto* lists : {&map.boundaries, &map.obstacles, &map.lines}) {
+    for (const auto& list : *lists) edges += list.size();
+  }
+  std::size_t runs = 0;
+  for (const CellGrid& grid : map.grids) {
+    const auto columns = static_cast<std::size_t>(grid.columns);
+    for (std::size_t i = 0; i < grid.blocked.size(); ++i) {
+      const bool blocked = grid.blocked[i] != 0;
+      const bool left = i % columns == 0 ? grid.bounds : grid.blocked[i - 1] != 0;
+      const bool above = i < columns ? grid.bounds : grid.blocked[i - columns] != 0;
+      // An edge begins where cells differ and did not differ in the same way one cell before.
+      const bool left_above = i < columns || i % columns == 0 ? grid.bounds : grid.blocked[i - columns - 1] != 0;
+      edges += blocked != left && (i < columns || above == left_above) ? 1 : 0;
+      edges += blocked != above && (i % columns == 0 || left == left_above) ? 1 : 0;
+      runs += i == 0 || grid.blocked[i] != grid.blocked[i - 1] ? 1 : 0;
+    }
+  }
+  if (edges > most_edges) {
+    node.fail(fmt::format("the map has {} edges", edges), fmt::format("at most {} of polygons, lines, points and outlines of blocked cells together", most_edges));
+  } else if (runs > most_runs) {
+    node.fail(fmt::format("the cells of the grids change {} times along their rows", runs), fmt::format("at most {} times", most_runs));
+  }
 }
 
 }  // namespace waywright

@@ -25,4 +25,7 @@ Json cells_to_json(const CellGrid& grid);
 /// Counts a grid's cells against what one scenario may hold; fails where it is too many.
 bool count_cells(const Node& node, std::int64_t columns, std::int64_t rows);
 
+/// Refuses a map of more edges than can be kept ready for questions, or of grids that change too often to be written in a plan.
+void check_size(const Node& node, const Map& map);
+
 }  // namespace waywright

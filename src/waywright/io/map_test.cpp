@@ -1,7 +1,9 @@
 // Pictures, ROS maps, alignment, files.
 #include <gtest/gtest.h>
 #include <zlib.h>
+#include <png.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -64,6 +66,52 @@ TEST_F(RosMap, TrinaryThresholdsForEveryGrey) {
   text.replace(text.find("0.196"), 5, "0.25");
   put("m.yaml", text);
   EXPECT_EQ(load_ros_map(folder_ / "m.yaml", false)->grid.blocked[205], 0);
+}
+
+TEST_F(RosMap, InScaleModeOnlyWhatIsSurelyFreeIsFree) {
+  put("m.pgm", all_greys());
+  put("m.yaml", yaml("mode: scale\n"));
+  const auto loaded = load_ros_map(folder_ / "m.yaml", true);
+  ASSERT_TRUE(loaded) << loaded.error().message();
+  for (int grey = 0; grey < 256; ++grey) EXPECT_EQ(loaded->grid.blocked[static_cast<std::size_t>(grey)], (255 - grey) / 255.0 < 0.196 ? 0 : 1) << grey;
+}
+
+TEST_F(RosMap, InScaleModeTransparentPixelsAreUnknown) {
+  // White and opaque, white and half, white and not at all there, black and opaque.
+  const std::array<std::uint8_t, 16> rgba{255, 255, 255, 255, 255, 255, 255, 128, 255, 255, 255, 0, 0, 0, 0, 255};
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = 4;
+  png.height = 1;
+  png.format = PNG_FORMAT_RGBA;
+  std::string bytes(4096, '\0');
+  png_alloc_size_t size = bytes.size();
+  ASSERT_NE(png_image_write_to_memory(&png, bytes.data(), &size, 0, rgba.data(), 0, nullptr), 0);
+  put("m.pgm", bytes.substr(0, size));
+  using Cells = std::vector<std::uint8_t>;
+  put("m.yaml", yaml("mode: scale\n"));
+  EXPECT_EQ(load_ros_map(folder_ / "m.yaml", false)->grid.blocked, (Cells{0, 2, 2, 1}));
+  put("m.yaml", yaml("mode: trinary\n"));
+  EXPECT_EQ(load_ros_map(folder_ / "m.yaml", false)->grid.blocked, (Cells{0, 0, 0, 1}));
+}
+
+TEST_F(RosMap, MapsOfTooManyEdgesAreRefused) {
+  const int side = 2048;
+  const auto read = [&](const auto& grey) {
+    std::string pgm = "P5\n2048 2048\n255\n";
+    for (int row = 0; row < side; ++row) {
+      for (int column = 0; column < side; ++column) pgm += static_cast<char>(grey(column, row));
+    }
+    put("m.pgm", pgm);
+    put("m.yaml", yaml());
+    const auto map = read_map(folder_ / "m.yaml");
+    return map ? std::string{"accepted"} : map.error().message();
+  };
+  EXPECT_NE(read([](int c, int r) { return c % 2 == 0 && r % 2 == 0 ? 0 : 255; }).find("edges (allowed: at most"), std::string::npos);
+  // Stripes along the columns: few edges, very many runs; occupied and unknown cells side by side: no edges at all.
+  EXPECT_NE(read([](int c, int) { return c % 2 == 0 ? 0 : 255; }).find("change"), std::string::npos);
+  EXPECT_NE(read([](int c, int) { return c % 2 == 0 ? 0 : 205; }).find("change"), std::string::npos);
+  EXPECT_EQ(read([](int, int r) { return r % 2 == 0 ? 0 : 255; }), "accepted");
 }
 
 TEST_F(RosMap, TopRowIsUpAndTheOriginMayBeTurned) {
@@ -260,6 +308,18 @@ TEST_F(Files, PairsOfAMirroredMapAreRefused) {
   EXPECT_NE(sentence("[[[0,0],[5,5]], [[4,0],[9,5]], [[0,3],[5,2]]]").find("mirrored map"), std::string::npos);
   // Bad pairs that a mirror does not mend either are placed, with their residuals.
   EXPECT_EQ(sentence("[[[0,0],[5,5]], [[4,0],[9,5]], [[0,3],[6,6]]]"), "");
+
+TEST_F(Files, OfASetAppearTogetherOrNotAtAll) {
+  ASSERT_TRUE(write_files({{folder_ / "a", "1"}, {folder_ / "b" / "c", "2"}}));
+  fs::create_directories(folder_ / "folder");
+  const auto refused = write_files({{folder_ / "a", "3"}, {folder_ / "d", "4"}, {folder_ / "folder", "5"}});
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message().find("folder: the file cannot be written"), std::string::npos) << refused.error().message();
+  EXPECT_EQ(read_file(folder_ / "a", 10).value(), "1");
+  EXPECT_EQ(read_file(folder_ / "b" / "c", 10).value(), "2");
+  std::size_t entries = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator{folder_}) ++entries;
+  EXPECT_EQ(entries, 3U);
 }
 
 TEST_F(Files, OverlayAndAlignmentOfMaps) {

@@ -117,7 +117,8 @@ std::string plan_json(const Plan& plan) {
   j["reason"] = plan.reason.empty() ? Json(nullptr) : Json(plan.reason);
   j["reproducible"] = plan.reproducible;
   Scenario used = plan.scenario;
-  used.planner = {plan.planner, plan.parameters};
+  // Who was not asked by the scenario (imported poses, outside planners) leaves its choice as it is.
+  if (used.planner.name == plan.planner) used.planner = {plan.planner, plan.parameters};
   j["scenario"] = scenario_to_json(used);
   j["planner"] = {{"name", plan.planner}, {"parameters", parameters_to_json(plan.parameters)}};
   j["seed"] = plan.seed;

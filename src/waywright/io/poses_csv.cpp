@@ -176,11 +176,13 @@ Parsed<Path> parse_poses_csv(const std::string& text, const std::string& name) {
   if (!rows) return tl::unexpected{rows.error()};
   Path path;
   Row at = rows->empty() ? Row{} : rows->front();  // where the path has come to
+  bool stopped = false;                            // there, by a pose that stands twice
   for (const Row& row : *rows) {
     const double turn = shorter_turn(at.pose.heading, row.pose.heading);
     const bool stands = distance(at.pose.position(), row.pose.position()) <= same_place;
     if (stands && std::abs(turn) <= same_heading) {
-      at.direction = row.direction;  // the pose stands twice, where the direction changes say
+      at.direction = row.direction;  // where the direction changes say
+      stopped = stopped || row.pose == at.pose;
       continue;
     }
     if (stands) {
@@ -194,12 +196,13 @@ Parsed<Path> parse_poses_csv(const std::string& text, const std::string& name) {
       continue;
     }
     const int direction = direction_of(at, row);
-    if (!path.pieces.empty() && path.pieces.back().direction == direction) {
+    if (!path.pieces.empty() && path.pieces.back().direction == direction && !stopped) {
       std::get<PoseSequence>(path.pieces.back().curve).poses.push_back(row.pose);
     } else {
       path.pieces.push_back({PoseSequence{{at.pose, row.pose}}, direction});
     }
     at = row;
+    stopped = false;
   }
   if (path.pieces.empty()) {
     return tl::unexpected{InputError{name, "", "there are fewer than two different poses", "at least two"}};

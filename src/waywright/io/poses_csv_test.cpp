@@ -59,6 +59,12 @@ TEST(PosesCsv, DirectionOfTheFileIsKept) {
   ASSERT_EQ(twice.size(), 2U);
   EXPECT_EQ(twice[1].direction, -1);
   EXPECT_EQ(poses_of(twice[1]).size(), 2U);
+  // Elsewhere too a pose that stands twice is a stop: the vehicle may steer there.
+  const auto stop = pieces_of("x,y,heading\n0,0,0\n1,0,0\n1,0,0\n1,0,0\n1.5,0,0\n2,0,0\n");
+  ASSERT_EQ(stop.size(), 2U);
+  EXPECT_EQ(stop[1].direction, 1);
+  EXPECT_EQ(poses_of(stop[0]).size(), 2U);
+  EXPECT_EQ(poses_of(stop[1]).size(), 3U);
   // Rows that differ: some name the motion that begins, some the one that ends.
   for (const char* text : {"x,y,heading,direction\n0,0,0,1\n1,0,0,-1\n0.5,0,0,-1\n",
                            "x,y,heading,direction\n0,0,0,1\n1,0,0,1\n0.5,0,0,-1\n"}) {

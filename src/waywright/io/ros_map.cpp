@@ -188,11 +188,8 @@ std::array<std::uint8_t, 256> classes_of(const Header& header, bool unknown_is_f
                                                            : unknown;
     } else {
       classes[grey] = p > header.occupied ? std::uint8_t{1} : p < header.free ? std::uint8_t{0} : unknown;
-      // Scale mode has no unknown between its thresholds, only degrees: what is likelier occupied than not is blocked.
-      if (header.mode == Header::Mode::scale && p <= header.occupied && p >= header.free) {
-        const double range = header.occupied - header.free;
-        classes[grey] = range > 0.0 && (p - header.free) / range >= 0.5 ? 1 : 0;
-      }
+      // Scale mode has degrees between its thresholds, and none of them is surely free.
+      if (header.mode == Header::Mode::scale && p <= header.occupied && p >= header.free) classes[grey] = 1;
     }
   }
   return classes;
@@ -246,6 +243,12 @@ Parsed<LoadedGrid> load_ros_map(const fs::path& yaml, bool unknown_is_free) {
                  std::move(image->pixels), true};
   const auto classes = classes_of(header, unknown_is_free);
   for (std::uint8_t& cell : loaded.grid.blocked) cell = classes[cell];
+  // In scale mode transparency says that nothing is known.
+  if (header.mode == Header::Mode::scale && !unknown_is_free) {
+    for (std::size_t i = 0; i < image->see_through.size(); ++i) {
+      if (image->see_through[i]) loaded.grid.blocked[i] = 2;
+    }
+  }
   if (auto error = check_extent(loaded.grid, yaml.string())) return tl::unexpected{*error};
   loaded.files = {{yaml.string(), sha256(*text)}, {image_path.string(), sha256(*bytes)}};
   return loaded;

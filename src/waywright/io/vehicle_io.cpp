@@ -15,7 +15,16 @@ constexpr double longest = 1e3;                   // m
 constexpr std::size_t most_forks = 16;            // polygons
 constexpr std::uint64_t largest_file = 16 << 20;  // bytes
 constexpr std::size_t most_corners =
-    100'000;  // of one polygon; looking for crossings may take the square of it
+    100'000;  // of one polygon
+constexpr std::size_t most_outline_corners = 500;  // of what drives: it is cut into convex parts, and asked about at every pose
+
+Ring read_outline(const Node& node, std::vector<std::string>& notes) {
+  if (node.is_array() && node.json().size() > most_outline_corners) {
+    node.fail(fmt::format("the polygon has {} corners", node.json().size()), fmt::format("at most {}", most_outline_corners));
+    return {};
+  }
+  return read_ring(node, notes);
+}
 
 Footprint read_footprint(const Node& node, std::vector<std::string>& notes) {
   Footprint footprint;
@@ -27,7 +36,7 @@ Footprint read_footprint(const Node& node, std::vector<std::string>& notes) {
     node.fail(fmt::format("it is {}", kind_of(node.json())), "a polygon [[x, y], ...] or {\"disc\": radius}");
     return footprint;
   }
-  footprint.polygon = read_ring(node, notes);
+  footprint.polygon = read_outline(node, notes);
   if (!node.failed() && footprint.radius() > longest) {
     node.fail(fmt::format("it reaches {:g} m from the origin", footprint.radius()),
               fmt::format("at most {} m", longest));
@@ -39,14 +48,14 @@ Footprint read_footprint(const Node& node, std::vector<std::string>& notes) {
 std::vector<Ring> read_forks(const Node& node, std::vector<std::string>& notes) {
   const Json& json = node.json();
   const bool is_list = json.is_array() && !json.empty() && json[0].is_array() && !json[0].empty() && json[0][0].is_array();
-  if (!is_list) return {read_ring(node, notes)};
+  if (!is_list) return {read_outline(node, notes)};
   if (json.size() > most_forks) {
     node.fail(fmt::format("there are {} polygons", json.size()), fmt::format("at most {}", most_forks));
     return {};
   }
   std::vector<Ring> forks;
   for (const Node& fork : node.elements()) {
-    forks.push_back(read_ring(fork, notes));
+    forks.push_back(read_outline(fork, notes));
     if (node.failed()) return {};
   }
   return forks;

@@ -18,8 +18,8 @@ constexpr double relative_slack = 1e-3;  // of speeds, accelerations and times
 
 /// A place on straight interpolation between two samples, with everything that stands there.
 struct Match {
-  Sample at;          // of the samples that were searched
-  double off = 0.0;   // m, of the farthest footprint point
+  Sample at;         // of the samples that were searched
+  double off = 0.0;  // m, of the farthest footprint point
   double mismatch = 0.0;
   std::size_t segment = 0;
 };
@@ -42,11 +42,14 @@ Sample between(const Sample& a, const Sample& b, double t) {
   return s;
 }
 
-/// Where between a and b is c? By s where they are apart; at one place by heading, or by curvature where that jumps.
+/// Where between a and b is c? By s where they are apart; at one place by heading, or by curvature where that
+/// jumps.
 double fraction(const Sample& a, const Sample& b, const Sample& c) {
   if (b.s - a.s > same_place) return std::clamp((c.s - a.s) / (b.s - a.s), 0.0, 1.0);
-  if (const double turn = shorter_turn(a.heading, b.heading); turn != 0.0) return std::clamp(shorter_turn(a.heading, c.heading) / turn, 0.0, 1.0);
-  if (b.curvature != a.curvature) return std::clamp((c.curvature - a.curvature) / (b.curvature - a.curvature), 0.0, 1.0);
+  if (const double turn = shorter_turn(a.heading, b.heading); turn != 0.0)
+    return std::clamp(shorter_turn(a.heading, c.heading) / turn, 0.0, 1.0);
+  if (b.curvature != a.curvature)
+    return std::clamp((c.curvature - a.curvature) / (b.curvature - a.curvature), 0.0, 1.0);
   return 1.0;
 }
 
@@ -78,13 +81,15 @@ std::vector<Stretch> stretches(const std::vector<Sample>& samples) {
 /// Finds places of one stretch's samples, asked in order.
 class Finder {
  public:
-  Finder(const std::vector<Sample>& samples, Stretch stretch, double radius) : samples_{samples}, stretch_{stretch}, radius_{radius}, segment_{stretch.first} {}
+  Finder(const std::vector<Sample>& samples, Stretch stretch, double radius)
+      : samples_{samples}, stretch_{stretch}, radius_{radius}, segment_{stretch.first} {}
 
   /// The first place from the last one on that fits as well as any.
   Match find(const Sample& wanted) {
     std::optional<Match> best;
     while (segment_ + 1 < stretch_.last && samples_[segment_ + 1].s < wanted.s - number_slack) ++segment_;
-    for (std::size_t j = segment_; j == segment_ || (j < stretch_.last && samples_[j].s <= wanted.s + number_slack); ++j) {
+    for (std::size_t j = segment_;
+         j == segment_ || (j < stretch_.last && samples_[j].s <= wanted.s + number_slack); ++j) {
       const Match match = at(j, wanted);
       if (!best || match.mismatch < best->mismatch) best = match;
       if (best->mismatch <= same_place) break;
@@ -99,7 +104,8 @@ class Finder {
     const Sample& b = samples_[std::min(j + 1, stretch_.last)];
     Match match{between(a, b, fraction(a, b, wanted)), 0.0, 0.0, j};
     const Sample& found = match.at;
-    match.off = distance(found.pose().position(), wanted.pose().position()) + radius_ * std::abs(shorter_turn(found.heading, wanted.heading));
+    match.off = distance(found.pose().position(), wanted.pose().position()) +
+                radius_ * std::abs(shorter_turn(found.heading, wanted.heading));
     match.mismatch = match.off + std::abs(found.s - wanted.s) + std::abs(found.curvature - wanted.curvature) +
                      std::abs(shorter_turn(found.course, wanted.course));
     return match;
@@ -113,30 +119,42 @@ class Finder {
 
 class SampleCheck {
  public:
-  SampleCheck(const std::vector<Sample>& claimed, const std::vector<Sample>& fresh, const Vehicle& vehicle, double radius, double tolerance)
-      : claimed_{claimed}, fresh_{fresh}, vehicle_{vehicle}, radius_{radius}, allowed_{tolerance + number_slack} {}
+  SampleCheck(const std::vector<Sample>& claimed, const std::vector<Sample>& fresh, const Vehicle& vehicle,
+              double radius, double tolerance)
+      : claimed_{claimed},
+        fresh_{fresh},
+        vehicle_{vehicle},
+        radius_{radius},
+        allowed_{tolerance + number_slack} {}
 
   std::optional<std::string> run() {
     if (claimed_.size() < 2 || fresh_.size() < 2) return "the plan holds fewer than two samples";
-    if (std::abs(claimed_.back().s - fresh_.back().s) > number_slack * (1.0 + fresh_.back().s) || claimed_.front().s != 0.0) {
-      return fmt::format("the samples run from s = {} to {} m, the curves are {:.6f} m long", claimed_.front().s, claimed_.back().s, fresh_.back().s);
+    if (std::abs(claimed_.back().s - fresh_.back().s) > number_slack * (1.0 + fresh_.back().s) ||
+        claimed_.front().s != 0.0) {
+      return fmt::format("the samples run from s = {} to {} m, the curves are {:.6f} m long",
+                         claimed_.front().s, claimed_.back().s, fresh_.back().s);
     }
-    if (claimed_.front().t != 0.0) return fmt::format("the samples begin at t = {} s, and must at 0", claimed_.front().t);
+    if (claimed_.front().t != 0.0)
+      return fmt::format("the samples begin at t = {} s, and must at 0", claimed_.front().t);
     const std::vector<Stretch> claimed = stretches(claimed_);
     const std::vector<Stretch> fresh = stretches(fresh_);
     for (std::size_t i = 0; i < std::min(claimed.size(), fresh.size()); ++i) {
       const Sample& is = claimed_[claimed[i].first];
       const Sample& should = fresh_[fresh[i].first];
       if (is.direction != should.direction || std::abs(is.s - should.s) > number_slack * (1.0 + should.s)) {
-        return fmt::format("from s = {:.3f} m on the samples have direction {}; the curves are driven in direction {} from s = {:.3f} m on", is.s, is.direction,
-                           should.direction, should.s);
+        return fmt::format(
+            "from s = {:.3f} m on the samples have direction {}; the curves are driven in direction {} from "
+            "s = {:.3f} m on",
+            is.s, is.direction, should.direction, should.s);
       }
     }
     if (claimed.size() != fresh.size()) {
-      return fmt::format("the samples change direction {} times, the curves {} times", claimed.size() - 1, fresh.size() - 1);
+      return fmt::format("the samples change direction {} times, the curves {} times", claimed.size() - 1,
+                         fresh.size() - 1);
     }
     matched_.resize(claimed_.size());
-    // Interpolated between samples the claim has the curves' places, and the curves the claim's: it is dense enough, too.
+    // Interpolated between samples the claim has the curves' places, and the curves the claim's: it is dense
+    // enough, too.
     for (std::size_t i = 0; i < claimed.size(); ++i) {
       Finder on_fresh{fresh_, fresh[i], radius_};
       for (std::size_t k = claimed[i].first; k <= claimed[i].last; ++k) {
@@ -153,7 +171,9 @@ class SampleCheck {
   }
 
  private:
-  static std::string at(const Sample& sample, const std::string& what) { return fmt::format("at s = {:.3f} m {}", sample.s, what); }
+  static std::string at(const Sample& sample, const std::string& what) {
+    return fmt::format("at s = {:.3f} m {}", sample.s, what);
+  }
 
   std::optional<std::string> check_place(std::size_t k) const {
     const Sample& c = claimed_[k];
@@ -163,22 +183,31 @@ class SampleCheck {
       const double moved = distance(b.pose().position(), c.pose().position());
       const double turned = std::abs(shorter_turn(b.heading, c.heading));
       if (c.s < b.s || moved > step_limit + number_slack || turned > step_limit + number_slack) {
-        return fmt::format("samples {} and {} are {:.4f} m and {:.4f} rad apart; at most {} m and {} rad are allowed", k - 1, k, moved, turned, step_limit, step_limit);
+        return fmt::format(
+            "samples {} and {} are {:.4f} m and {:.4f} rad apart; at most {} m and {} rad are allowed", k - 1,
+            k, moved, turned, step_limit, step_limit);
       }
     }
-    if (match.off > allowed_) return at(c, fmt::format("the samples are {:.5f} m from the curves", match.off));
+    if (match.off > allowed_)
+      return at(c, fmt::format("the samples are {:.5f} m from the curves", match.off));
     // Between two fresh samples, what can be reached from their values will do.
     const Sample& a = fresh_[match.segment];
     const Sample& b = fresh_[std::min(match.segment + 1, fresh_.size() - 1)];
     const double apart = std::max(0.0, b.s - a.s);
-    const double course_step = std::abs(shorter_turn(a.course, b.course)) + apart * std::max(std::abs(a.curvature), std::abs(b.curvature));
+    const double course_step = std::abs(shorter_turn(a.course, b.course)) +
+                               apart * std::max(std::abs(a.curvature), std::abs(b.curvature));
     if (std::abs(shorter_turn(match.at.course, c.course)) > number_slack + course_step) {
-      return at(c, fmt::format("the course is {:.5f} rad in the file and {:.5f} rad on the curves", c.course, wrap(match.at.course)));
+      return at(c, fmt::format("the course is {:.5f} rad in the file and {:.5f} rad on the curves", c.course,
+                               wrap(match.at.course)));
     }
     const double curvature_step =
-        apart > same_place ? std::abs(b.curvature - a.curvature) + apart * std::max(std::abs(a.curvature_rate), std::abs(b.curvature_rate)) : 0.0;
-    if (std::abs(match.at.curvature - c.curvature) > number_slack * (1.0 + std::abs(c.curvature)) + curvature_step) {
-      return at(c, fmt::format("the curvature is {:.5f} 1/m in the file and {:.5f} 1/m on the curves", c.curvature, match.at.curvature));
+        apart > same_place ? std::abs(b.curvature - a.curvature) +
+                                 apart * std::max(std::abs(a.curvature_rate), std::abs(b.curvature_rate))
+                           : 0.0;
+    if (std::abs(match.at.curvature - c.curvature) >
+        number_slack * (1.0 + std::abs(c.curvature)) + curvature_step) {
+      return at(c, fmt::format("the curvature is {:.5f} 1/m in the file and {:.5f} 1/m on the curves",
+                               c.curvature, match.at.curvature));
     }
     return std::nullopt;
   }
@@ -193,8 +222,12 @@ class SampleCheck {
     const Sample& c = claimed_[k];
     const Sample& f = matched_[k].at;
     if (!(c.speed >= 0.0) || is_too_fast(c.speed, f.speed)) {
-      return at(c, f.speed > 0.0 ? fmt::format("the speed of {:.4f} m/s is over the {:.4f} m/s that the vehicle's limits allow there", c.speed, f.speed)
-                                 : fmt::format("the vehicle must stand still and drives {:.4f} m/s", c.speed));
+      return at(
+          c, f.speed > 0.0
+                 ? fmt::format(
+                       "the speed of {:.4f} m/s is over the {:.4f} m/s that the vehicle's limits allow there",
+                       c.speed, f.speed)
+                 : fmt::format("the vehicle must stand still and drives {:.4f} m/s", c.speed));
     }
     if (k == 0) return std::nullopt;
     const Sample& b = claimed_[k - 1];
@@ -202,15 +235,20 @@ class SampleCheck {
     if (time < 0.0) return at(c, "time runs backwards");
     const double fastest = f.t - matched_[k - 1].at.t;
     if (time < fastest * (1.0 - relative_slack) - number_slack) {
-      return at(c, fmt::format("the step takes {:.4f} s, and under the vehicle's limits at least {:.4f} s", time, fastest));
+      return at(c, fmt::format("the step takes {:.4f} s, and under the vehicle's limits at least {:.4f} s",
+                               time, fastest));
     }
     const double length = c.s - b.s;
     if (length <= same_place) return std::nullopt;
     const double mean = 0.5 * (c.speed + b.speed);
     if (mean > 0.0) {
-      if (std::abs(time * mean - length) > relative_slack * length + number_slack) return at(c, "time does not fit the speeds");
-    } else if (const double least = time_from_rest_to_rest(matched_[k - 1].at, f, vehicle_); time < least * (1.0 - relative_slack) - number_slack) {
-      return at(c, fmt::format("a step from standing to standing takes {:.4f} s, and under the vehicle's limits at least {:.4f} s", time, least));
+      if (std::abs(time * mean - length) > relative_slack * length + number_slack)
+        return at(c, "time does not fit the speeds");
+    } else if (const double least = time_from_rest_to_rest(matched_[k - 1].at, f, vehicle_);
+               time < least * (1.0 - relative_slack) - number_slack) {
+      return at(c, fmt::format("a step from standing to standing takes {:.4f} s, and under the vehicle's "
+                               "limits at least {:.4f} s",
+                               time, least));
     }
     return check_acceleration(k, (square(c.speed) - square(b.speed)) / (2.0 * length));
   }
@@ -221,14 +259,16 @@ class SampleCheck {
     const double length = c.s - claimed_[k - 1].s;
     // What rounding of s makes of an acceleration over a short step.
     const double slack = number_slack * (1.0 + square(c.speed) / (length + number_slack));
-    if (acceleration > limits.acceleration * (1.0 + relative_slack) + slack || -acceleration > limits.deceleration * (1.0 + relative_slack) + slack) {
+    if (acceleration > limits.acceleration * (1.0 + relative_slack) + slack ||
+        -acceleration > limits.deceleration * (1.0 + relative_slack) + slack) {
       return at(c, fmt::format("the acceleration of {:.4f} m/s² is over its limit", acceleration));
     }
     if (!limits.angular_acceleration) return std::nullopt;
     for (const std::size_t i : {k - 1, k}) {
       const Sample& f = matched_[i].at;
       const double angular = f.curvature * acceleration + f.curvature_rate * square(claimed_[i].speed);
-      if (std::abs(angular) > *limits.angular_acceleration * (1.0 + relative_slack) + slack * (1.0 + std::abs(f.curvature))) {
+      if (std::abs(angular) >
+          *limits.angular_acceleration * (1.0 + relative_slack) + slack * (1.0 + std::abs(f.curvature))) {
         return at(c, fmt::format("the angular acceleration of {:.4f} rad/s² is over its limit", angular));
       }
     }
@@ -237,11 +277,17 @@ class SampleCheck {
 
   std::optional<std::string> check_claim_at(std::size_t k, const Match& match) const {
     const Sample& f = fresh_[k];
-    if (match.off > allowed_) return at(f, fmt::format("the samples, interpolated, are {:.5f} m from the curves", match.off));
-    const bool stands = (k > 0 && must_stand(fresh_[k - 1], f, vehicle_)) || (k + 1 < fresh_.size() && must_stand(f, fresh_[k + 1], vehicle_));
+    if (match.off > allowed_)
+      return at(f, fmt::format("the samples, interpolated, are {:.5f} m from the curves", match.off));
+    const bool stands = (k > 0 && must_stand(fresh_[k - 1], f, vehicle_)) ||
+                        (k + 1 < fresh_.size() && must_stand(f, fresh_[k + 1], vehicle_));
     if (!is_too_fast(match.at.speed, stands ? 0.0 : f.speed)) return std::nullopt;
-    return at(f, stands ? fmt::format("the vehicle must stand still and drives {:.4f} m/s", match.at.speed)
-                        : fmt::format("the speed of {:.4f} m/s is over the {:.4f} m/s that the vehicle's limits allow there", match.at.speed, f.speed));
+    return at(
+        f, stands
+               ? fmt::format("the vehicle must stand still and drives {:.4f} m/s", match.at.speed)
+               : fmt::format(
+                     "the speed of {:.4f} m/s is over the {:.4f} m/s that the vehicle's limits allow there",
+                     match.at.speed, f.speed));
   }
 
   const std::vector<Sample>& claimed_;
@@ -253,9 +299,11 @@ class SampleCheck {
 
 }  // namespace
 
-void check_claimed_samples(const std::vector<Sample>& claimed, const std::vector<Sample>& fresh, const Vehicle& vehicle, double radius, double tolerance,
+void check_claimed_samples(const std::vector<Sample>& claimed, const std::vector<Sample>& fresh,
+                           const Vehicle& vehicle, double radius, double tolerance,
                            std::vector<std::string>& findings) {
-  if (auto finding = SampleCheck{claimed, fresh, vehicle, radius, tolerance}.run()) findings.push_back(std::move(*finding));
+  if (auto finding = SampleCheck{claimed, fresh, vehicle, radius, tolerance}.run())
+    findings.push_back(std::move(*finding));
 }
 
 void check_claimed_metrics(const Plan& claimed, const Plan& fresh, std::vector<std::string>& findings) {
@@ -280,16 +328,20 @@ void check_claimed_metrics(const Plan& claimed, const Plan& fresh, std::vector<s
   if (!claimed.samples.empty()) compare("travel_time", is.travel_time, claimed.samples.back().t, exact);
 }
 
-void check_claimed_certificate(const Certificate& claimed, const Certificate& fresh, std::vector<std::string>& findings) {
+void check_claimed_certificate(const Certificate& claimed, const Certificate& fresh,
+                               std::vector<std::string>& findings) {
   if (claimed.clearance > fresh.clearance + number_slack) {
-    findings.push_back(fmt::format("the file claims a clearance of {:.6f} m, {:.6f} m could be proven", claimed.clearance, fresh.clearance));
+    findings.push_back(fmt::format("the file claims a clearance of {:.6f} m, {:.6f} m could be proven",
+                                   claimed.clearance, fresh.clearance));
   }
   if (claimed.pocket_clearance.value_or(0.0) > fresh.pocket_clearance.value_or(0.0) + number_slack) {
-    findings.push_back(fmt::format("the file claims a clearance of {:.6f} m in the pocket, {:.6f} m could be proven", *claimed.pocket_clearance,
-                                   fresh.pocket_clearance.value_or(0.0)));
+    findings.push_back(
+        fmt::format("the file claims a clearance of {:.6f} m in the pocket, {:.6f} m could be proven",
+                    *claimed.pocket_clearance, fresh.pocket_clearance.value_or(0.0)));
   }
   if (claimed.checked_length > fresh.checked_length + number_slack * (1.0 + fresh.checked_length)) {
-    findings.push_back(fmt::format("the file claims that {:.6f} m were checked, {:.6f} m could be", claimed.checked_length, fresh.checked_length));
+    findings.push_back(fmt::format("the file claims that {:.6f} m were checked, {:.6f} m could be",
+                                   claimed.checked_length, fresh.checked_length));
   }
   if (claimed.collision_free && !fresh.collision_free) {
     findings.emplace_back("the file claims to be free of collision, which could not be proven");

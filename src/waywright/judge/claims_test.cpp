@@ -79,7 +79,8 @@ TEST(Claims, OtherSamplesOfTheSameCurvesAndSlowerDrivesHold) {
     slow.limits.acceleration *= 0.5;
     slow.limits.deceleration *= 0.5;
     slow.limits.angular_speed = 0.5 * *slow.limits.angular_speed;
-    if (slow.limits.angular_acceleration) slow.limits.angular_acceleration = 0.25 * *slow.limits.angular_acceleration;
+    if (slow.limits.angular_acceleration)
+      slow.limits.angular_acceleration = 0.25 * *slow.limits.angular_acceleration;
     plan.metrics.travel_time = assign_speed(plan.samples, slow);
     for (const std::string& finding : findings(plan)) ADD_FAILURE() << finding;
   }
@@ -101,10 +102,12 @@ TEST(Claims, EveryColumnIsHeldAgainstTheCurves) {
       {"speed", [](Sample& s) { s.speed = -0.1; }},
   };
   for (const Plan& plan : {tricycle_plan(), differential_plan()}) {
-    for (const std::size_t i : {plan.samples.size() / 7, plan.samples.size() / 3, plan.samples.size() / 2, plan.samples.size() - 9}) {
+    for (const std::size_t i : {plan.samples.size() / 7, plan.samples.size() / 3, plan.samples.size() / 2,
+                                plan.samples.size() - 9}) {
       for (const auto& [name, change] : columns) {
         Plan other = plan;
-        if (other.samples[i].direction == 0 && std::string{name} == "t" ) continue;  // a longer stand is honest
+        if (other.samples[i].direction == 0 && std::string{name} == "t")
+          continue;  // a longer stand is honest
         change(other.samples[i]);
         EXPECT_FALSE(findings(other).empty()) << name << " of sample " << i;
       }
@@ -130,7 +133,8 @@ TEST(Claims, DrivingThroughStopsAndStandingWithoutTimeAreFound) {
       std::vector<Sample> free = samples;
       for (Sample& s : free) s.curvature = s.curvature_rate = s.heading = 0.0;
       assign_speed(free, plan.scenario.vehicle);
-      for (std::size_t i = 0; i < samples.size(); ++i) samples[i].speed = free[i].speed, samples[i].t = free[i].t;
+      for (std::size_t i = 0; i < samples.size(); ++i)
+        samples[i].speed = free[i].speed, samples[i].t = free[i].t;
     }));
     EXPECT_TRUE(falsified(plan, [](std::vector<Sample>& samples) {
       for (Sample& s : samples) s.speed = s.t = 0.0;
@@ -154,7 +158,8 @@ TEST(Claims, DrivingThroughStopsAndStandingWithoutTimeAreFound) {
       }
     }));
     // Samples left out.
-    EXPECT_TRUE(falsified(plan, [](std::vector<Sample>& samples) { samples.erase(samples.begin() + 5, samples.begin() + 9); }));
+    EXPECT_TRUE(falsified(
+        plan, [](std::vector<Sample>& samples) { samples.erase(samples.begin() + 5, samples.begin() + 9); }));
   }
   // Steering and angular acceleration that take no time.
   Plan plan = tricycle_plan();
@@ -173,9 +178,10 @@ TEST(Claims, DrivingThroughStopsAndStandingWithoutTimeAreFound) {
 
 TEST(Claims, EveryMetricIsMeasuredAgain) {
   const Plan plan = tricycle_plan();
-  for (double Metrics::* metric : {&Metrics::length, &Metrics::min_clearance, &Metrics::mean_clearance, &Metrics::max_curvature, &Metrics::max_curvature_rate,
-                                   &Metrics::curvature_change, &Metrics::curvature_change_printed, &Metrics::turning, &Metrics::collision_risk,
-                                   &Metrics::travel_time}) {
+  for (double Metrics::*metric :
+       {&Metrics::length, &Metrics::min_clearance, &Metrics::mean_clearance, &Metrics::max_curvature,
+        &Metrics::max_curvature_rate, &Metrics::curvature_change, &Metrics::curvature_change_printed,
+        &Metrics::turning, &Metrics::collision_risk, &Metrics::travel_time}) {
     for (const double factor : {0.0, 0.9, 1.1}) {
       Plan other = plan;
       other.metrics.*metric *= factor;

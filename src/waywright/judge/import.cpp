@@ -102,7 +102,6 @@ Plan judge_imported(const Problem& problem, Path path) {
   Plan plan = judge(problem, std::move(path));
   plan.planner = "import";
   plan.parameters.clear();
-  plan.scenario.planner = {"import", {}};
   if (auto ends = problem.check_ends(); ends && plan.status == Status::solved) {
     plan.status = ends->status;
     plan.reason = ends->reason;

@@ -52,15 +52,18 @@ Plan failed_plan(const Problem& problem, const Failure& failure) {
   return plan;
 }
 
-Plan judge(const Problem& problem, Path path) {
+Plan judge(const Problem& problem, Path path, const std::atomic<bool>* cancel) {
   using Clock = std::chrono::steady_clock;
   Plan plan = empty_plan(problem);
   const auto begin = Clock::now();
-  const Proof proof = prove(problem, path);
+  ProofOptions options;
+  options.cancel = cancel;
+  const Proof proof = prove(problem, path, options);
   plan.timing.prove = std::chrono::duration<double>(Clock::now() - begin).count();
   plan.certificate = proof.certificate;
   plan.status = proof.holds() ? Status::solved : Status::unproven;
   plan.reason = joined(proof.violations);
+  if (cancel != nullptr && cancel->load()) return failed_plan(problem, {Status::canceled, "canceled while the path was proven", {}, {}});
   plan.path = std::move(path);
   if (!proof.measurable) return plan;
 

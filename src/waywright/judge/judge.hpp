@@ -1,6 +1,8 @@
 // From a path, whoever made it, to a judged plan: samples, speed, metrics, proof, status.
 #pragma once
 
+#include <atomic>
+
 #include "waywright/judge/plan.hpp"
 #include "waywright/scenario/problem.hpp"
 
@@ -8,7 +10,8 @@ namespace waywright {
 
 /// Fills path, samples (with t and speed), metrics, certificate, status, reason, version, scenario, timing.prove.
 /// Nothing here knows of planners.
-Plan judge(const Problem& problem, Path path);
+/// Once `cancel` is raised, the plan ends as canceled, without samples.
+Plan judge(const Problem& problem, Path path, const std::atomic<bool>* cancel = nullptr);
 
 /// Clearance of what drives at each sample of a path, m, capped; on the stretch in a shelf's pocket that of everything but the forks.
 std::vector<double> clearances_along(const Problem& problem, const Path& path, const std::vector<Sample>& samples);

@@ -8,8 +8,8 @@ namespace waywright {
 namespace {
 
 /// Least-squares line or parabola of turning over progress, around the place `at`.
-EstimatedCurvature fit(const std::vector<PoseMotion>& motion, const std::vector<std::size_t>& nodes, std::size_t first, std::size_t last,
-                       std::size_t at) {
+EstimatedCurvature fit(const std::vector<PoseMotion>& motion, const std::vector<std::size_t>& nodes,
+                       std::size_t first, std::size_t last, std::size_t at) {
   const std::size_t n = last - first + 1;
   if (n < 2) return {};
   // In units of the window's half length, so that the sums are of one size.
@@ -27,8 +27,10 @@ EstimatedCurvature fit(const std::vector<PoseMotion>& motion, const std::vector<
   if (n == 2) return {(s0 * h1 - s1 * h0) / line / half, 0.0};
   // Normal equations of a + b·x + c·x² by Cramer's rule.
   const double determinant = s0 * (s2 * s4 - s3 * s3) - s1 * (s1 * s4 - s2 * s3) + s2 * (s1 * s3 - s2 * s2);
-  const double b = (s0 * (h1 * s4 - s3 * h2) - h0 * (s1 * s4 - s3 * s2) + s2 * (s1 * h2 - h1 * s2)) / determinant;
-  const double c = (s0 * (s2 * h2 - h1 * s3) - s1 * (s1 * h2 - h1 * s2) + h0 * (s1 * s3 - s2 * s2)) / determinant;
+  const double b =
+      (s0 * (h1 * s4 - s3 * h2) - h0 * (s1 * s4 - s3 * s2) + s2 * (s1 * h2 - h1 * s2)) / determinant;
+  const double c =
+      (s0 * (s2 * h2 - h1 * s3) - s1 * (s1 * h2 - h1 * s2) + h0 * (s1 * s3 - s2 * s2)) / determinant;
   if (!std::isfinite(b) || !std::isfinite(c)) return {(s0 * h1 - s1 * h0) / line / half, 0.0};
   return {b / half, 2.0 * c / (half * half)};
 }
@@ -58,7 +60,8 @@ std::vector<std::size_t> thinned(const std::vector<PoseMotion>& motion, double a
   const std::size_t last = motion.size() - 1;
   if (nodes.back() != last && motion[last].progress > motion[nodes.back()].progress) {
     // A last step far shorter than the others would say more about noise than about curvature.
-    if (nodes.size() > 1 && motion[last].progress - motion[nodes.back()].progress < 0.5 * apart) nodes.pop_back();
+    if (nodes.size() > 1 && motion[last].progress - motion[nodes.back()].progress < 0.5 * apart)
+      nodes.pop_back();
     nodes.push_back(last);
   }
   return nodes;
@@ -86,7 +89,8 @@ std::vector<EstimatedCurvature> estimated_curvature(const PoseSequence& sequence
     while (node + 1 < nodes.size() && motion[i].progress >= progress(node + 1)) ++node;
     estimates[i] = at_nodes[node];
     if (node + 1 == nodes.size()) continue;
-    const double t = std::clamp((motion[i].progress - progress(node)) / (progress(node + 1) - progress(node)), 0.0, 1.0);
+    const double t =
+        std::clamp((motion[i].progress - progress(node)) / (progress(node + 1) - progress(node)), 0.0, 1.0);
     estimates[i].curvature += t * (at_nodes[node + 1].curvature - at_nodes[node].curvature);
     estimates[i].rate += t * (at_nodes[node + 1].rate - at_nodes[node].rate);
   }

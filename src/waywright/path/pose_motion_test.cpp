@@ -50,9 +50,12 @@ TEST(PoseMotion, CurvatureIsEstimatedWhereItIsConstantAndWhereItRises) {
 TEST(PoseMotion, FewPosesAndPosesWithoutProgressGiveFiniteEstimates) {
   const PoseSequence two{{{0, 0, 0}, {1, 0, 0.2}}};
   EXPECT_NEAR(estimated_curvature(two, 1)[0].curvature, 0.2, 2e-3);
-  for (const PoseSequence& odd : {PoseSequence{{{0, 0, 0}, {0, 1, 0}, {0, 2, 0}}}, PoseSequence{{{0, 0, 0}, {0, 0, 0}}},
-                                  PoseSequence{{{0, 0, 0}, {-1, 0, 0}, {-2, 0, 0.1}}}, PoseSequence{{{0, 0, 0}, {1e-7, 0, 0.1}, {2, 0, 0.1}}}}) {
-    for (const auto& e : estimated_curvature(odd, 1)) EXPECT_TRUE(std::isfinite(e.curvature) && std::isfinite(e.rate));
+  for (const PoseSequence& odd :
+       {PoseSequence{{{0, 0, 0}, {0, 1, 0}, {0, 2, 0}}}, PoseSequence{{{0, 0, 0}, {0, 0, 0}}},
+        PoseSequence{{{0, 0, 0}, {-1, 0, 0}, {-2, 0, 0.1}}},
+        PoseSequence{{{0, 0, 0}, {1e-7, 0, 0.1}, {2, 0, 0.1}}}}) {
+    for (const auto& e : estimated_curvature(odd, 1))
+      EXPECT_TRUE(std::isfinite(e.curvature) && std::isfinite(e.rate));
   }
 }
 

@@ -81,6 +81,17 @@ Parsed<Parameters> complete_parameters(const PlannerDescription& planner, const 
   return complete;
 }
 
+Parsed<void> check_budget(const std::string& planner, const Parameters& complete, const BudgetLimits& budget) {
+  const PlannerDescription* description = find_planner(planner);
+  const bool counts_samples = description != nullptr && description->counts_samples && description->counts_samples(complete);
+  const char* allowed = counts_samples ? "evaluations, samples, seconds" : "evaluations, seconds";
+  if (budget.expansions) return tl::unexpected{InputError{"", "budget.expansions", fmt::format("{} counts no expansions", planner), allowed}};
+  if (budget.samples && !counts_samples) {
+    return tl::unexpected{InputError{"", "budget.samples", fmt::format("{} counts no samples", planner), allowed}};
+  }
+  return {};
+}
+
 Parsed<void> set_parameter(const PlannerDescription& planner, Parameters& parameters, const std::string& key_value) {
   const auto equals = key_value.find('=');
   if (equals == std::string::npos || equals == 0) {

@@ -103,6 +103,8 @@ struct PlannerDescription {
   std::vector<ParameterDescription> parameters;
   /// Parameters are complete and checked against the description.
   std::function<AnyPlanner(const Parameters&, std::uint64_t seed)> make;
+  /// Does it, with these parameters, keep a budget of samples? Empty: no. All keep one of evaluations.
+  std::function<bool(const Parameters&)> counts_samples = {};
 };
 
 }  // namespace waywright

@@ -78,7 +78,8 @@ PlannerDescription pattern_docking_description() {
             std::optional<AnyPlanner> fallback;
             if (std::get<bool>(p.at("fallback"))) fallback = RrtConnectPlanner{RrtConnectOptions{.goal_straight = options.leads.dock}, seed};
             return PatternDockingPlanner{options, optimizer_of(word(p, "optimizer")), seed, std::move(fallback)};
-          }};
+          },
+          [](const Parameters& p) { return std::get<bool>(p.at("fallback")); }};
 }
 
 PlannerDescription published_docking_description() {

@@ -20,6 +20,9 @@ Parsed<Parameters> complete_parameters(const PlannerDescription& planner, const 
 /// The same for what a scenario names: its planner must be known and its parameters fit.
 Parsed<Parameters> complete_parameters(const PlannerChoice& choice);
 
+/// Every kind of work that the budget limits is one that the planner counts; nothing is ignored in silence.
+Parsed<void> check_budget(const std::string& planner, const Parameters& complete, const BudgetLimits& budget);
+
 /// Parses "KEY=VALUE" against a planner's description.
 Parsed<void> set_parameter(const PlannerDescription& planner, Parameters& parameters, const std::string& key_value);
 

@@ -47,6 +47,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
   const Scenario& scenario = problem.scenario();
   auto parameters = complete_parameters(scenario.planner);
   if (!parameters) return tl::unexpected{parameters.error()};
+  if (auto kept = check_budget(scenario.planner.name, *parameters, scenario.budget); !kept) return tl::unexpected{kept.error()};
   const PlannerDescription* description = find_planner(scenario.planner.name);
 
   const auto finish = [&](Plan plan) {
@@ -68,7 +69,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
 
   Plan plan;
   if (result) {
-    plan = judge(problem, problem.whole_path(std::move(result->path)));
+    plan = judge(problem, problem.whole_path(std::move(result->path)), cancel);
     plan.explanation = std::move(result->explanation);
     plan.alternatives = std::move(result->alternatives);
     plan.optimality = result->optimality;

@@ -19,8 +19,8 @@ constexpr double distance_rounding = 4e-15;    // of the coordinates: some units
 
 class Search {
  public:
-  Search(const World& world, const Footprint& footprint, double tolerance, std::size_t without, double required)
-      : world_{world}, footprint_{footprint}, tolerance_{tolerance}, without_{without}, required_{required}, radius_{footprint.radius()} {
+  Search(const World& world, const Footprint& footprint, const SweepOptions& options)
+      : world_{world}, footprint_{footprint}, options_{options}, radius_{footprint.radius()} {
     // Obstacles far away are long ones, too: a point of a line is rounded like its ends.
     if (!world.empty()) {
       const Box box = world.bounds();
@@ -39,6 +39,7 @@ class Search {
 
   SweptClearance run(const std::vector<MotionInterval>& intervals) {
     for (const MotionInterval& interval : intervals) {
+      if (is_canceled()) break;
       best_.length += interval.length();
       look_at(interval.begin());
       look_at(interval.end());
@@ -46,7 +47,7 @@ class Search {
     // Tightest stretches first would be best; the order of travel is good enough because the ends have been looked at.
     std::vector<MotionInterval> stack(intervals.rbegin(), intervals.rend());
     while (!stack.empty() && best_.upper > 0.0) {
-      if (best_.queries > most_queries || stack.back().depth() > deepest) {
+      if (is_canceled() || best_.queries > most_queries || stack.back().depth() > deepest) {
         best_.complete = false;
         break;
       }
@@ -68,11 +69,13 @@ class Search {
   }
 
  private:
-  double effective_tolerance() const { return std::max(least_tolerance, std::min(tolerance_, 0.5 * best_.upper)); }
+  bool is_canceled() const { return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed); }
+
+  double effective_tolerance() const { return std::max(least_tolerance, std::min(options_.tolerance, 0.5 * best_.upper)); }
 
   void look_at(const Pose& pose) {
     ++best_.queries;
-    const Contact contact = world_.clearance(footprint_, pose, best_.upper, without_);
+    const Contact contact = world_.clearance(footprint_, pose, best_.upper, options_.without);
     if (contact.clearance < best_.upper) {  // never where nothing is within the cap
       best_.upper = contact.clearance;
       best_.tightest = pose;
@@ -88,7 +91,7 @@ class Search {
   /// Within the tolerance of the least clearance found; and where that could pass, not short of what is required for want of sharpness.
   bool is_enough(const Bound& bound) const {
     if (bound.clearance < best_.upper - effective_tolerance()) return false;
-    if (bound.clearance >= required_ || best_.upper < required_ - fine_tolerance) return true;
+    if (bound.clearance >= options_.required || best_.upper < options_.required - fine_tolerance) return true;
     return bound.clearance >= best_.upper - fine_tolerance && bound.deviation <= 0.5 * fine_tolerance;
   }
 
@@ -113,16 +116,14 @@ class Search {
       for (const Vec2 p : part) corners_.push_back(b.to_world(p));
       convex_hull(corners_, hull_);
       ++best_.queries;
-      least = std::min(least, world_.clearance(hull_, grown_, enough, without_).clearance);
+      least = std::min(least, world_.clearance(hull_, grown_, enough, options_.without).clearance);
     }
     return {least - deviation, deviation};
   }
 
   const World& world_;
   const Footprint& footprint_;
-  double tolerance_;
-  std::size_t without_;
-  double required_;
+  const SweepOptions& options_;
   double radius_;
   double extent_ = 0.0;  // greatest coordinate of the world
   double rotating_radius_ = 0.0;
@@ -134,10 +135,9 @@ class Search {
 
 }  // namespace
 
-SweptClearance swept_clearance(const World& world, const Footprint& footprint,
-                               const std::vector<MotionInterval>& intervals, double tolerance, std::size_t without,
-                               double required) {
-  return Search{world, footprint, tolerance, without, required}.run(intervals);
+SweptClearance swept_clearance(const World& world, const Footprint& footprint, const std::vector<MotionInterval>& intervals,
+                               const SweepOptions& options) {
+  return Search{world, footprint, options}.run(intervals);
 }
 
 }  // namespace waywright

@@ -1,6 +1,7 @@
 // The continuous collision proof by branch and bound over motion intervals.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -27,9 +28,13 @@ struct SweptClearance {
 /// For each interval the convex parts of the footprint at its two ends span hulls; every pose between lies in these hulls grown
 /// by the interval's deviation. Where a hull comes too near, the interval is halved: hull and deviation shrink quadratically.
 /// A bound under `required` is sharpened to half a micrometre where the truth may meet what is required.
-/// `without`: a source of the world that is not looked at.
-SweptClearance swept_clearance(const World& world, const Footprint& footprint,
-                               const std::vector<MotionInterval>& intervals, double tolerance,
-                               std::size_t without = World::nothing, double required = 0.0);
+struct SweepOptions {
+  double tolerance = 5e-4;                    ///< m
+  double required = 0.0;                      ///< m
+  std::size_t without = World::nothing;       ///< a source of the world that is not looked at
+  const std::atomic<bool>* cancel = nullptr;  ///< once raised, the search ends incomplete
+};
+SweptClearance swept_clearance(const World& world, const Footprint& footprint, const std::vector<MotionInterval>& intervals,
+                               const SweepOptions& options);
 
 }  // namespace waywright

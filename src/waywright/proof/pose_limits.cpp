@@ -11,12 +11,13 @@
 namespace waywright {
 namespace {
 
-// m: spans of which curvature changes are judged. Short ones see jumps, long ones see small excess through noise.
+// m: spans of which curvature changes are judged. Short ones see jumps, long ones see small excess through
+// noise.
 constexpr double shortest_span = 0.02;
 constexpr double longest_span = 1.3;
 
-/// Holds |sum at j − sum at i| ≤ share·(progress at j − progress at i) + allowed for all i < j at once: that is a rising and a falling
-/// line, each held against its extreme so far.
+/// Holds |sum at j − sum at i| ≤ share·(progress at j − progress at i) + allowed for all i < j at once: that
+/// is a rising and a falling line, each held against its extreme so far.
 class Rule {
  public:
   Rule(double share, double allowed) : share_{share}, allowed_{allowed} {}
@@ -56,7 +57,8 @@ std::string stretch(const Pose& from, const Pose& to) {
 }
 
 /// A piece goes in its direction: ahead as a whole, and never back by more than noise.
-std::optional<Violation> retreat(const PoseSequence& sequence, const std::vector<PoseMotion>& motion, int direction) {
+std::optional<Violation> retreat(const PoseSequence& sequence, const std::vector<PoseMotion>& motion,
+                                 int direction) {
   std::size_t farthest = 0;
   std::size_t from = 0, to = 0;
   double worst = retreat_allowed;
@@ -73,13 +75,16 @@ std::optional<Violation> retreat(const PoseSequence& sequence, const std::vector
     to = motion.size() - 1;
     worst = -motion.back().progress;
   }
-  return Violation{fmt::format("{} the poses go {:.4f} m against their driving direction, which is {}", stretch(sequence.poses[from], sequence.poses[to]),
-                               worst, direction > 0 ? "forwards" : "backwards"),
+  return Violation{fmt::format("{} the poses go {:.4f} m against their driving direction, which is {}",
+                               stretch(sequence.poses[from], sequence.poses[to]), worst,
+                               direction > 0 ? "forwards" : "backwards"),
                    sequence.poses[from]};
 }
 
-/// Curvature over a span before and after each place: their difference is at most the rate times the distance of the spans' middles.
-std::optional<Violation> rate_excess(const PoseSequence& sequence, const std::vector<PoseMotion>& motion, double limit) {
+/// Curvature over a span before and after each place: their difference is at most the rate times the distance
+/// of the spans' middles.
+std::optional<Violation> rate_excess(const PoseSequence& sequence, const std::vector<PoseMotion>& motion,
+                                     double limit) {
   const std::vector<std::size_t> nodes = thinned(motion);
   const auto at = [&](std::size_t k) -> const PoseMotion& { return motion[nodes[k]]; };
   std::optional<Violation> worst;
@@ -95,11 +100,13 @@ std::optional<Violation> rate_excess(const PoseSequence& sequence, const std::ve
       const double first = (at(j).turned - at(i).turned) / before;
       const double second = (at(k).turned - at(j).turned) / after;
       const double apart = 0.5 * (before + after);
-      const double allowed = limit * (1.0 + estimate_slack) * apart + heading_change_allowed * (1.0 / before + 1.0 / after);
+      const double allowed =
+          limit * (1.0 + estimate_slack) * apart + heading_change_allowed * (1.0 / before + 1.0 / after);
       if (std::abs(second - first) <= greatest * allowed) continue;
       greatest = std::abs(second - first) / allowed;
       const Pose& p = sequence.poses[nodes[j]];
-      worst = Violation{fmt::format("near ({:.3f}, {:.3f}) the curvature of the poses goes from {:.4f} to {:.4f} 1/m within {:.2f} m, over the limit of "
+      worst = Violation{fmt::format("near ({:.3f}, {:.3f}) the curvature of the poses goes from {:.4f} to "
+                                    "{:.4f} 1/m within {:.2f} m, over the limit of "
                                     "the curvature rate of {:.4f} 1/m²",
                                     p.x, p.y, first, second, apart, limit),
                         p};
@@ -131,23 +138,27 @@ std::vector<Violation> check_pose_sequences(const Vehicle& vehicle, const Path& 
     }
     if (auto violation = retreat(*sequence, motion, piece.direction)) retreats.push_back(*violation);
     if (vehicle.limits.curvature_rate) {
-      if (auto violation = rate_excess(*sequence, motion, *vehicle.limits.curvature_rate)) rates.push_back(*violation);
+      if (auto violation = rate_excess(*sequence, motion, *vehicle.limits.curvature_rate))
+        rates.push_back(*violation);
     }
     done.progress += ahead;
     done.sideways += motion.back().sideways;
     done.turned += motion.back().turned;
   }
   if (const auto found = slip.worst()) {
-    violations.push_back({fmt::format("{} the vehicle would slide {:.4f} m sideways over {:.4f} m of progress, which its drive cannot do",
+    violations.push_back({fmt::format("{} the vehicle would slide {:.4f} m sideways over {:.4f} m of "
+                                      "progress, which its drive cannot do",
                                       stretch(found->from, found->to), std::abs(found->sum), found->progress),
                           found->from});
   }
   // Who slides without getting ahead is told of the slide alone.
   if (violations.empty()) violations = std::move(retreats);
   if (const auto found = bend.worst()) {
-    violations.push_back({fmt::format("{} the poses turn by {:.4f} rad over {:.4f} m of progress, more than the curvature limit of {:.4f} 1/m allows",
-                                      stretch(found->from, found->to), std::abs(found->sum), found->progress, limit),
-                          found->from});
+    violations.push_back(
+        {fmt::format("{} the poses turn by {:.4f} rad over {:.4f} m of progress, more than the curvature "
+                     "limit of {:.4f} 1/m allows",
+                     stretch(found->from, found->to), std::abs(found->sum), found->progress, limit),
+         found->from});
   }
   violations.insert(violations.end(), rates.begin(), rates.end());
   return violations;

@@ -20,7 +20,8 @@ Vehicle tricycle() {
 }
 
 /// A drive by its curvature over length, a pose every `step` metres.
-PoseSequence drive(double length, double step, const std::function<double(double)>& curvature, int direction = 1, Pose at = {}) {
+PoseSequence drive(double length, double step, const std::function<double(double)>& curvature,
+                   int direction = 1, Pose at = {}) {
   PoseSequence sequence{{at}};
   const int fine = 20;
   const int steps = static_cast<int>(std::lround(length / step));
@@ -38,13 +39,18 @@ PoseSequence drive(double length, double step, const std::function<double(double
 PoseSequence noisy(PoseSequence sequence, double position, double heading, std::uint64_t seed) {
   Random random{seed};
   for (Pose& p : sequence.poses) {
-    p = {p.x + random.uniform(-position, position), p.y + random.uniform(-position, position), p.heading + random.uniform(-heading, heading)};
+    p = {p.x + random.uniform(-position, position), p.y + random.uniform(-position, position),
+         p.heading + random.uniform(-heading, heading)};
   }
   return sequence;
 }
 
-bool keeps(const Path& path, const Vehicle& vehicle = tricycle()) { return check_pose_sequences(vehicle, path).empty(); }
-bool keeps(const PoseSequence& sequence, const Vehicle& vehicle = tricycle()) { return keeps(Path{{{sequence, 1}}}, vehicle); }
+bool keeps(const Path& path, const Vehicle& vehicle = tricycle()) {
+  return check_pose_sequences(vehicle, path).empty();
+}
+bool keeps(const PoseSequence& sequence, const Vehicle& vehicle = tricycle()) {
+  return keeps(Path{{{sequence, 1}}}, vehicle);
+}
 
 /// Curvature that rises and falls within the limits of the vehicle.
 double gentle(double s) { return 0.75 * std::sin(1.8 * s); }
@@ -54,7 +60,8 @@ TEST(PoseLimits, DrivesWithinTheLimitsAreKeptAtAnyDensityAndWithNoise) {
     EXPECT_TRUE(keeps(drive(6.0, step, gentle))) << step;
     EXPECT_TRUE(keeps(Path{{{drive(6.0, step, gentle, -1), -1}}})) << step;
     EXPECT_TRUE(keeps(drive(6.0, step, [](double) { return 0.8; }))) << step;
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) EXPECT_TRUE(keeps(noisy(drive(6.0, step, gentle), 0.003, 0.002, seed))) << step << ' ' << seed;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed)
+      EXPECT_TRUE(keeps(noisy(drive(6.0, step, gentle), 0.003, 0.002, seed))) << step << ' ' << seed;
   }
 }
 
@@ -105,7 +112,8 @@ TEST(PoseLimits, CurvatureOverTheLimitIsFoundInShortStrokesSpotsAndLongDrives) {
   Pose at{};
   for (int stroke = 0; stroke < 8; ++stroke) {
     const int direction = stroke % 2 == 0 ? 1 : -1;
-    const PoseSequence sequence = drive(0.2, 0.02, [](double) { return 5.0; }, direction, at);
+    const PoseSequence sequence = drive(
+        0.2, 0.02, [](double) { return 5.0; }, direction, at);
     at = sequence.poses.back();
     strokes.pieces.push_back({sequence, direction});
   }
@@ -121,7 +129,8 @@ TEST(PoseLimits, CurvatureOverTheLimitIsFoundInShortStrokesSpotsAndLongDrives) {
   at = {};
   for (int stroke = 0; stroke < 30; ++stroke) {
     const int direction = stroke % 2 == 0 ? 1 : -1;
-    const PoseSequence sequence = drive(0.02, 0.02, [](double) { return 1.2; }, direction, at);
+    const PoseSequence sequence = drive(
+        0.02, 0.02, [](double) { return 1.2; }, direction, at);
     at = sequence.poses.back();
     split.pieces.push_back({sequence, direction});
   }
@@ -137,8 +146,12 @@ TEST(PoseLimits, CurvatureRateOverTheLimitIsFound) {
     EXPECT_TRUE(keeps(drive(3.6, step, slalom), free)) << step;
     EXPECT_FALSE(keeps(drive(4.0, step, [](double s) { return s < 2.0 ? 0.0 : 0.5; }))) << step;
     // Rising at twice the limit, and at the limit.
-    EXPECT_FALSE(keeps(drive(2.0, step, [](double s) { return std::clamp(-0.75 + 3.0 * (s - 0.5), -0.75, 0.75); }))) << step;
-    EXPECT_TRUE(keeps(drive(2.0, step, [](double s) { return std::clamp(-0.75 + 1.5 * (s - 0.5), -0.75, 0.75); }))) << step;
+    EXPECT_FALSE(keeps(drive(2.0, step, [](double s) {
+      return std::clamp(-0.75 + 3.0 * (s - 0.5), -0.75, 0.75);
+    }))) << step;
+    EXPECT_TRUE(keeps(drive(2.0, step, [](double s) {
+      return std::clamp(-0.75 + 1.5 * (s - 0.5), -0.75, 0.75);
+    }))) << step;
   }
 }
 

@@ -95,20 +95,20 @@ Proof prove(const Problem& problem, const Path& path, const ProofOptions& option
 
   const double margin = problem.pose_error_margin();
   const double required = problem.required_clearance();
-  Finding finding{swept_clearance(problem.world(), problem.footprint(), open, options.tolerance, World::nothing, required), &problem.world()};
+  Finding finding{swept_clearance(problem.world(), problem.footprint(), open, {options.tolerance, required, World::nothing, options.cancel}), &problem.world()};
   Certificate& certificate = proof.certificate;
   certificate.checked_length = finding.swept.length;
   std::optional<Finding> forks;
   if (pocket_piece) {
     const PocketMotion& pocket = *problem.pocket();
     for (const MotionInterval& interval : in_shelf) certificate.checked_length += interval.length();
-    merge(finding, swept_clearance(problem.world(), problem.footprint(), in_shelf, options.tolerance, pocket.shelf_source, required),
+    merge(finding, swept_clearance(problem.world(), problem.footprint(), in_shelf, {options.tolerance, required, pocket.shelf_source, options.cancel}),
           problem.world());
     for (const Ring& ring : pocket.rest) {
-      merge(finding, swept_clearance(pocket.shelf, Footprint{ring, 0.0}, in_shelf, options.tolerance, World::nothing, required), pocket.shelf);
+      merge(finding, swept_clearance(pocket.shelf, Footprint{ring, 0.0}, in_shelf, {options.tolerance, required, World::nothing, options.cancel}), pocket.shelf);
     }
     for (const Ring& fork : pocket.forks) {
-      const SweptClearance swept = swept_clearance(pocket.beside_pockets, Footprint{fork, 0.0}, in_shelf, options.tolerance, World::nothing, margin);
+      const SweptClearance swept = swept_clearance(pocket.beside_pockets, Footprint{fork, 0.0}, in_shelf, {options.tolerance, margin, World::nothing, options.cancel});
       if (forks) merge(*forks, swept, pocket.beside_pockets);
       else forks = Finding{swept, &pocket.beside_pockets};
     }

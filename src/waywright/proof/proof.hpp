@@ -1,6 +1,7 @@
 // Continuous collision proof of a path, and the checks of its limits and continuity. Shares nothing with planners.
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ struct ProofOptions {
   double tolerance = 0.0005;          ///< m
   double position_tolerance = 1e-6;   ///< m, for end poses and joints
   double heading_tolerance = 1e-6;    ///< rad
+  const std::atomic<bool>* cancel = nullptr;  ///< once raised, the proof ends undecided
 };
 
 struct Violation {

@@ -125,6 +125,9 @@ Parsed<Problem> Problem::prepare(Scenario scenario) {
   Problem problem;
   problem.scenario_ = std::move(scenario);
   const Scenario& given = problem.scenario_;
+  if (std::holds_alternative<Mecanum>(given.vehicle.drive)) {
+    return tl::unexpected{InputError{"", "vehicle.drive.type", "\"mecanum\" is not supported yet", "tricycle, differential"}};
+  }
   auto footprint = carried_footprint(given);
   if (auto* error = std::get_if<InputError>(&footprint)) return tl::unexpected{*error};
   problem.footprint_ = std::move(std::get<Footprint>(footprint));

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 
@@ -27,46 +28,71 @@ struct Output {
   int status = 0;
 };
 
-/// Feeds and drains the child at once, so that neither waits for the other.
-Output talk(pid_t child, int in, int out, const std::string& input, double seconds, const std::atomic<bool>* cancel) {
-  Output output;
-  std::size_t written = 0;
-  const auto begin = std::chrono::steady_clock::now();
-  ::fcntl(in, F_SETFL, O_NONBLOCK);
-  bool feeding = true;
-  std::array<char, 1 << 16> block;
-  for (;;) {
-    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > seconds) output.timed_out = true;
-    if (cancel != nullptr && cancel->load()) output.canceled = true;
-    if (output.timed_out || output.canceled) {
-      ::kill(-child, SIGKILL);
-      break;
+/// The pipes to and from a running child, and the end of its time.
+class Conversation {
+ public:
+  Conversation(pid_t child, int in, int out, double seconds, const std::atomic<bool>* cancel)
+      : child_{child}, in_{in}, out_{out}, deadline_{Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))}, cancel_{cancel} {}
+
+  /// Feeds and drains the child at once, so that neither waits for the other; then waits for its end, no longer than its time.
+  Output hold(const std::string& input) {
+    exchange(input);
+    if (in_ >= 0) ::close(in_);
+    ::close(out_);
+    // Closing its output does not end a program.
+    siginfo_t ended{};
+    while (!is_over() && ::waitid(P_PID, static_cast<id_t>(child_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0) {
+      ::poll(nullptr, 0, 5);
     }
-    std::array<pollfd, 2> fds{pollfd{out, POLLIN, 0}, pollfd{feeding ? in : -1, POLLOUT, 0}};
-    ::poll(fds.data(), fds.size(), 50);
-    if (feeding && (fds[1].revents & (POLLOUT | POLLERR | POLLHUP)) != 0) {
-      const ssize_t n = ::write(in, input.data() + written, input.size() - written);
-      if (n > 0) written += static_cast<std::size_t>(n);
-      if (written == input.size() || (n < 0 && errno != EAGAIN)) {
-        ::close(in);
-        feeding = false;
+    // Before the child is waited for its group cannot be another's; nothing it started outlives it.
+    ::kill(-child_, SIGKILL);
+    while (::waitpid(child_, &output_.status, 0) < 0 && errno == EINTR) {
+    }
+    return std::move(output_);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool is_over() {
+    if (Clock::now() > deadline_) output_.timed_out = true;
+    if (cancel_ != nullptr && cancel_->load()) output_.canceled = true;
+    return output_.timed_out || output_.canceled;
+  }
+
+  void exchange(const std::string& input) {
+    std::size_t written = 0;
+    ::fcntl(in_, F_SETFL, O_NONBLOCK);
+    std::array<char, 1 << 16> block;
+    while (!is_over()) {
+      std::array<pollfd, 2> fds{pollfd{out_, POLLIN, 0}, pollfd{in_, POLLOUT, 0}};
+      ::poll(fds.data(), fds.size(), 50);
+      if (in_ >= 0 && (fds[1].revents & (POLLOUT | POLLERR | POLLHUP)) != 0) {
+        const ssize_t n = ::write(in_, input.data() + written, input.size() - written);
+        if (n > 0) written += static_cast<std::size_t>(n);
+        if (written == input.size() || (n < 0 && errno != EAGAIN)) {
+          ::close(in_);
+          in_ = -1;
+        }
       }
-    }
-    if ((fds[0].revents & (POLLIN | POLLHUP)) != 0) {
-      const ssize_t n = ::read(out, block.data(), block.size());
-      if (n <= 0) break;
-      output.text.append(block.data(), static_cast<std::size_t>(n));
-      if (output.text.size() > most_output) {
-        ::kill(-child, SIGKILL);
-        break;
+      if ((fds[0].revents & (POLLIN | POLLHUP)) != 0) {
+        const ssize_t n = ::read(out_, block.data(), block.size());
+        if (n <= 0) return;
+        output_.text.append(block.data(), static_cast<std::size_t>(n));
+        if (output_.text.size() > most_output) {
+          ::kill(-child_, SIGKILL);
+          return;
+        }
       }
     }
   }
-  if (feeding) ::close(in);
-  ::close(out);
-  ::waitpid(child, &output.status, 0);
-  return output;
-}
+
+  pid_t child_;
+  int in_, out_;
+  Clock::time_point deadline_;
+  const std::atomic<bool>* cancel_;
+  Output output_;
+};
 
 }  // namespace
 
@@ -99,7 +125,7 @@ Plan run_outside(const Problem& problem, const std::string& command, const std::
   ::setpgid(child, child);
   const double seconds = problem.scenario().budget.seconds.value_or(default_seconds);
   const auto begin = std::chrono::steady_clock::now();
-  const Output output = talk(child, to_child[1], from_child[0], input, seconds, cancel);
+  const Output output = Conversation{child, to_child[1], from_child[0], seconds, cancel}.hold(input);
   const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   Plan plan;
   if (output.canceled) {

@@ -274,7 +274,8 @@ PlannerDescription rrt_connect_description() {
         options.simplify = std::get<bool>(p.at("simplify"));
         options.shortcuts = static_cast<int>(std::get<double>(p.at("shortcuts")));
         return RrtConnectPlanner{options, seed};
-      }};
+      },
+      [](const Parameters&) { return true; }};
 }
 
 }  // namespace waywright
