@@ -6,7 +6,7 @@ set(WAYWRIGHT_GTEST_SOURCES "" CACHE PATH "Folder that holds GoogleTest's src/ a
 include_directories(SYSTEM ${WAYWRIGHT_HEADERS})
 add_library(waywright_fmt_headers INTERFACE)
 target_compile_definitions(waywright_fmt_headers INTERFACE FMT_HEADER_ONLY=1)
-add_library(fmt::fmt ALIAS waywright_fmt_headers)
+add_library(fmt::fmt-header-only ALIAS waywright_fmt_headers)
 add_library(waywright_boost_headers INTERFACE)
 add_library(Boost::headers ALIAS waywright_boost_headers)
 

@@ -308,8 +308,10 @@ TEST_F(Files, PairsOfAMirroredMapAreRefused) {
   EXPECT_NE(sentence("[[[0,0],[5,5]], [[4,0],[9,5]], [[0,3],[5,2]]]").find("mirrored map"), std::string::npos);
   // Bad pairs that a mirror does not mend either are placed, with their residuals.
   EXPECT_EQ(sentence("[[[0,0],[5,5]], [[4,0],[9,5]], [[0,3],[6,6]]]"), "");
+}
 
 TEST_F(Files, OfASetAppearTogetherOrNotAtAll) {
+  fs::create_directories(folder_ / "b");
   ASSERT_TRUE(write_files({{folder_ / "a", "1"}, {folder_ / "b" / "c", "2"}}));
   fs::create_directories(folder_ / "folder");
   const auto refused = write_files({{folder_ / "a", "3"}, {folder_ / "d", "4"}, {folder_ / "folder", "5"}});

@@ -46,7 +46,7 @@ TEST(Proof, BoundIsNeverWrongInAnyKindOfWorldOnAnyKindOfPiece) {
   int free = 0;
   for (int i = 0; i < 150; ++i) {
     const Vec2 far = i % 3 == 0 ? Vec2{random.uniform(-1e4, 1e4), random.uniform(-1e4, 1e4)} : Vec2{};
-    Map map = random_map(random, 2, 3);
+    Map map = random_map(random, {.boxes = 2, .points = 3, .lines = 0, .grids = 0});
     map.boundaries = {rectangle({-14, -14}, {14, 14})};
     map.lines = {{{random.uniform(-6, 6), random.uniform(-6, 6)}, {random.uniform(-6, 6), random.uniform(-6, 6)}}};
     CellGrid grid{"grid", 9, 7, 0.5, {random.uniform(-6, 6), random.uniform(-6, 6), random.uniform(-pi, pi)}, std::vector<std::uint8_t>(63, 0), false};

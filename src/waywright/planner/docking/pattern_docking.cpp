@@ -136,7 +136,8 @@ PlanningResult PatternDockingPlanner::plan(const PreparedDocking& prepared, Budg
   }
   PlanningFailure& both = second.error();
   failure.failure.status = both.failure.status;
-  failure.failure.reason += fmt::format("; the second choice {} found none either: {}", fallback_->name(), both.failure.reason);
+  failure.failure.reason += fmt::format("; the second choice {} found none either", fallback_->name());
+  failure.explanation.insert(failure.explanation.end(), both.explanation.begin(), both.explanation.end());
   failure.failure.pose = both.failure.pose;
   if (both.failure.point) failure.failure.point = both.failure.point;
   failure.alternatives.insert(failure.alternatives.end(), both.alternatives.begin(), both.alternatives.end());
