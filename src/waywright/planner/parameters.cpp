@@ -10,6 +10,8 @@
 namespace waywright {
 namespace {
 
+std::string range_of(const ParameterDescription& p) { return fmt::format("{} to {}{}{}", p.low, p.high, p.unit.empty() ? "" : " ", p.unit); }
+
 std::string names_of(const PlannerDescription& planner) {
   std::string names;
   for (const ParameterDescription& p : planner.parameters) names += (names.empty() ? "" : ", ") + p.name;
@@ -36,10 +38,10 @@ std::optional<InputError> check(const ParameterDescription& p, const ParameterVa
   }
   if (const auto* number = std::get_if<double>(&value)) {
     if (!(*number >= p.low && *number <= p.high)) {
-      return InputError{"", field, fmt::format("{} is out of range", *number), fmt::format("{} to {} {}", p.low, p.high, p.unit)};
+      return InputError{"", field, fmt::format("{} is out of range", *number), range_of(p)};
     }
     if (p.whole && std::floor(*number) != *number) {
-      return InputError{"", field, fmt::format("{} is not a whole number", *number), fmt::format("{} to {}", p.low, p.high)};
+      return InputError{"", field, fmt::format("{} is not a whole number", *number), range_of(p)};
     }
   }
   if (const auto* word = std::get_if<std::string>(&value)) {
@@ -115,7 +117,7 @@ Parsed<void> set_parameter(const PlannerDescription& planner, Parameters& parame
     const double number = std::strtod(text.c_str(), &end);
     if (text.empty() || *end != '\0' || !std::isfinite(number)) {
       return tl::unexpected{InputError{"", "--set " + key, fmt::format("\"{}\" is not a number", text),
-                                       fmt::format("{} to {} {}", p->low, p->high, p->unit)}};
+                                       range_of(*p)}};
     }
     value = number;
   } else {

@@ -38,7 +38,8 @@ struct SideOutcome {
   Pose transition{};       ///< world
   Path path;               ///< best path found, also where it is not feasible
   std::string sentence;    ///< what happened, for the explanation
-  std::optional<Contact> contact;  ///< what stopped the best infeasible one
+  std::optional<Contact> contact;  ///< what the best infeasible one meets first …
+  double reach = 0.0;              ///< … after so many metres
 };
 
 class PatternDockingPlanner {

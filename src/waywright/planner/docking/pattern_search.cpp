@@ -22,13 +22,25 @@ constexpr double first_share = 0.3;        // of the evaluations of a side, befo
 constexpr double by_far = 1.1;             // a side that costs more than this times the other one's best is given up
 constexpr double infeasible_costs = 100.0;  // graded costs from here on stand for what is not feasible
 
+/// Where a path first comes nearer to something than it may, to 2 cm: for words, which the search has no time for.
+struct FirstContact {
+  double driven = 0.0;  ///< m
+  std::optional<Contact> contact;
+};
+FirstContact first_contact(const Problem& problem, const Path& path) {
+  for (const Sample& s : sample(path, problem.footprint().radius(), 0.01, 0.02)) {
+    const Contact contact = problem.world().clearance(problem.footprint(), s.pose(), problem.required_clearance() + 0.01);
+    if (contact.clearance < problem.required_clearance()) return {s.s, contact};
+  }
+  return {};
+}
+
 std::string infeasible_sentence(const Problem& problem, const SideOutcome& outcome, const CandidateScore& score,
                                 std::int64_t evaluations) {
   std::string text = fmt::format("On the {} side no pattern fits: of {} candidates the best", to_string(outcome.side),
                                  evaluations);
-  if (!score.free && outcome.contact) {
-    text += fmt::format(" came {:.1f} of {:.1f} m before it met {}", score.reach * score.measures.length,
-                        score.measures.length, contact_words(problem, *outcome.contact));
+  if (outcome.contact) {
+    text += fmt::format(" came {:.1f} of {:.1f} m before it met {}", outcome.reach, score.measures.length, contact_words(problem, *outcome.contact));
   } else {
     const double limit = problem.vehicle().max_curvature();
     std::vector<std::string> needs;
@@ -106,7 +118,12 @@ SideOutcome SideSearch::outcome(bool given_up, const Budget& budget) const {
   outcome.transition = transition_pose(prepared_.task(), zone_, found.best);
   outcome.feasible = score.feasible();
   outcome.cost = found.cost;
-  if (!score.free) outcome.contact = problem.world().clearance(problem.footprint(), score.blocked_at, 1.0);
+  if (!score.free) {
+    const FirstContact first = first_contact(problem, outcome.path);
+    // The search wants a little more room than is required: then where that is missing.
+    outcome.contact = first.contact ? first.contact : problem.world().clearance(problem.footprint(), score.blocked_at, 1.0);
+    outcome.reach = first.contact ? first.driven : score.reach * score.measures.length;
+  }
   if (outcome.feasible) {
     outcome.sentence = fmt::format(
         "On the {} side the best of {} candidates costs {:.4f}: {:.2f} m long, change of curvature {:.3f} 1/m, greatest "
