@@ -31,7 +31,9 @@ Verdicts compare(Clutter clutter, std::uint64_t seed, int count) {
     const CandidateScore ours = evaluator.evaluate(pattern);
     const yardstick::Verdict plain = yardstick::evaluate_boxes_first(scene, bench::candidate_of(pattern), lanes::samples);
     EXPECT_NEAR(ours.measures.curvature_change, plain.curvature_change, 1e-4 * plain.curvature_change + 1e-5);
-    EXPECT_GE(ours.measures.max_curvature, plain.max_curvature * (1.0 - 1e-5));
+    // At a near cusp the speed is a small difference of rounded numbers: the curvature of a circle of a millimetre is as good as any.
+    const double rounding = plain.max_curvature < 1000.0 ? 1e-5 : 1e-4;
+    EXPECT_GE(ours.measures.max_curvature, plain.max_curvature * (1.0 - rounding));
     if (ours.free && plain.hits == 0) {
       ++verdicts.free;
     } else if (!ours.free && plain.hits > 0) {

@@ -112,6 +112,12 @@ TEST(DegenerateProof, WhatHasNoSizeStillHoldsWhereItIsFree) {
   const Proof proof = prove(problem_for(map, path, {{}, 0.3}), path);
   EXPECT_TRUE(proof.holds());
   EXPECT_NEAR(proof.certificate.clearance, 0.2, 1e-6);
+  // Two thousand kilometres would take too many samples: refused with that reason, not judged in part.
+  const Path endless{{{Line{{-1e6, 0}, {1e6, 0}}, 1}}};
+  const Proof refused = prove(problem_for(map, endless, {{}, 0.3}), endless);
+  EXPECT_FALSE(refused.holds());
+  ASSERT_FALSE(refused.violations.empty());
+  EXPECT_NE(refused.violations.front().sentence.find("samples"), std::string::npos) << refused.violations.front().sentence;
 }
 
 }  // namespace
