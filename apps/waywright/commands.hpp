@@ -57,6 +57,15 @@ int plan_example();
 
 int verify(const std::filesystem::path& plan);
 
+struct ReplanArguments {
+  std::filesystem::path plan;
+  double at = 0.0;                 ///< s after the plan's start
+  std::string shelf, goal, pose;   ///< "X,Y,HEADING" as measured; empty: as it was
+  std::optional<std::filesystem::path> out;
+  bool json = false;
+};
+int replan(const ReplanArguments& arguments);
+
 struct ImportArguments {
   std::filesystem::path path, scenario;
   std::optional<std::filesystem::path> out;

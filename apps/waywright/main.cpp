@@ -34,6 +34,17 @@ int run(int argc, char** argv) {
   verify_command->add_option("PLAN", plan_file, "plan.json")->required();
   verify_command->callback([&] { status = verify(plan_file); });
 
+  ReplanArguments replan_arguments;
+  auto* replan_command = app.add_subcommand("replan", "while a plan is driven: the shelf, the goal or the vehicle is elsewhere by centimetres");
+  replan_command->add_option("PLAN", replan_arguments.plan, "plan.json that is being driven")->required();
+  replan_command->add_option("--at", replan_arguments.at, "s since its start")->required();
+  replan_command->add_option("--shelf", replan_arguments.shelf, "X,Y,HEADING: centre and heading of the shelf as it is now");
+  replan_command->add_option("--goal", replan_arguments.goal, "X,Y,HEADING: the goal as it is now, of a mission without a station");
+  replan_command->add_option("--pose", replan_arguments.pose, "X,Y,HEADING: where the vehicle is (default: where the plan has it)");
+  replan_command->add_option("-o,--out", replan_arguments.out, "folder to write to (default: waywright-out/NAME-replan)");
+  replan_command->add_flag("--json", replan_arguments.json, "plan.json on standard output and nothing else there");
+  replan_command->callback([&] { status = replan(replan_arguments); });
+
   ImportArguments import_arguments;
   auto* import_command = app.add_subcommand("import", "judge anyone's poses: a CSV with x, y, heading and direction");
   import_command->add_option("PATH", import_arguments.path, "CSV of poses")->required();
@@ -81,7 +92,7 @@ int run(int argc, char** argv) {
     auto* command = app.add_subcommand(later, "not supported yet");
     command->allow_extras();
     command->callback([&status, later] {
-      status = complain({"", std::string{"command "} + later, "it is not supported yet", "plan, verify, import, compare, list, map, generate"});
+      status = complain({"", std::string{"command "} + later, "it is not supported yet", "plan, replan, verify, import, compare, list, map, generate"});
     });
   }
 

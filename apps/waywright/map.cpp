@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
 
+#include "numbers.hpp"
 #include "outputs.hpp"
 #include "waywright/io/files.hpp"
 #include "waywright/io/scenario_io.hpp"
@@ -46,20 +45,9 @@ std::string describe(const std::filesystem::path& file, const Map& map) {
 
 /// "X,Y=X,Y": a point on the map and where it lies in the world.
 Parsed<std::pair<Vec2, Vec2>> pair_from(const std::string& text) {
-  std::array<double, 4> values{};
-  const char* at = text.c_str();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    char* end = nullptr;
-    values[i] = std::strtod(at, &end);
-    const char wanted = i == 3 ? '\0' : i == 1 ? '=' : ',';
-    if (end == at || *end != wanted || !std::isfinite(values[i])) {
-      return tl::unexpected{
-          InputError{"", "--align", fmt::format("\"{}\" is not a pair of points", text),
-                     "X,Y=X,Y: a point on the map and where it lies in the world, in metres"}};
-    }
-    at = end + 1;
-  }
-  return std::pair{Vec2{values[0], values[1]}, Vec2{values[2], values[3]}};
+  if (const auto v = numbers_from(text, std::array{',', '=', ','})) return std::pair{Vec2{(*v)[0], (*v)[1]}, Vec2{(*v)[2], (*v)[3]}};
+  return tl::unexpected{InputError{"", "--align", fmt::format("\"{}\" is not a pair of points", text),
+                                   "X,Y=X,Y: a point on the map and where it lies in the world, in metres"}};
 }
 
 }  // namespace

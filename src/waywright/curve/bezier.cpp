@@ -107,6 +107,15 @@ CurvePoint curve_point(const Derivatives& d) {
 
 CurvePoint evaluate(const BezierSpan& span, double u) { return curve_point(derivatives(span, u)); }
 
+BezierSpan rest_from(const BezierSpan& span, double u) {
+  BezierSpan rest = span;
+  const auto n = static_cast<std::size_t>(span.degree);
+  for (std::size_t level = n; level > 0; --level) {
+    for (std::size_t i = 0; i < level; ++i) rest.control[i] = (1.0 - u) * rest.control[i] + u * rest.control[i + 1];
+  }
+  return rest;
+}
+
 std::pair<BezierSpan, BezierSpan> halve(const BezierSpan& span) {
   BezierSpan left{span.degree, {}};
   BezierSpan right{span.degree, {}};
@@ -177,6 +186,13 @@ BezierSpan cubic_hermite(Vec2 p0, Vec2 d0, Vec2 p1, Vec2 d1) {
 
 BezierSpan straight_ended_quintic(Vec2 p0, Vec2 d0, Vec2 p1, Vec2 d1) {
   return {5, {p0, p0 + 0.2 * d0, p0 + 0.4 * d0, p1 - 0.4 * d1, p1 - 0.2 * d1, p1}};
+}
+
+BezierSpan straight_ending_quintic(Vec2 p0, Vec2 d0, double start_curvature, Vec2 p1, Vec2 d1) {
+  BezierSpan span = straight_ended_quintic(p0, d0, p1, d1);
+  // p″ = κ |p′|² n at the start, and the second differences there are p″ / 20.
+  span.control[2] = span.control[2] + (0.05 * start_curvature * norm(d0)) * left_of(d0);
+  return span;
 }
 
 BezierSpan straight_span(Vec2 from, Vec2 to) { return {1, {from, to}}; }

@@ -22,6 +22,8 @@ CurvePoint evaluate(const BezierSpan& span, double u);
 
 /// The two halves at u = ½ (de Casteljau).
 std::pair<BezierSpan, BezierSpan> halve(const BezierSpan& span);
+/// What follows u in [0, 1) (de Casteljau).
+BezierSpan rest_from(const BezierSpan& span, double u);
 
 /// Arc length over [u0, u1] by 16-point Gauss–Legendre on `parts` equal parts.
 double arc_length(const BezierSpan& span, double u0 = 0.0, double u1 = 1.0, int parts = 4);
@@ -45,6 +47,9 @@ BezierSpan cubic_hermite(Vec2 p0, Vec2 d0, Vec2 p1, Vec2 d1);
 /// Quintic with given end points and end tangents whose second derivatives vanish at both ends, so that curvature is 0 there.
 /// Tangents are derivatives with respect to u.
 BezierSpan straight_ended_quintic(Vec2 p0, Vec2 d0, Vec2 p1, Vec2 d1);
+
+/// The same with the given curvature (1/m, in the direction of travel) where it begins.
+BezierSpan straight_ending_quintic(Vec2 p0, Vec2 d0, double start_curvature, Vec2 p1, Vec2 d1);
 
 /// A straight span of degree 1.
 BezierSpan straight_span(Vec2 from, Vec2 to);

@@ -116,6 +116,8 @@ std::optional<InputError> check_fields(Scenario& scenario) {
   check_drive(check, scenario.vehicle.drive);
   check_limits(check, scenario.vehicle.limits);
   check.pose("start", scenario.start);
+  check.number("start.speed", scenario.start_motion.speed, -1e3, 1e3);
+  check.number("start.curvature", scenario.start_motion.curvature, -1e3, 1e3);
   check.number("clearance", scenario.clearance, 0.0, 1e3);
   check.number("pose_error.lateral", scenario.pose_error.lateral, 0.0, 1e3);
   check.number("pose_error.longitudinal", scenario.pose_error.longitudinal, 0.0, 1e3);

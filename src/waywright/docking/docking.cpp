@@ -4,6 +4,7 @@
 
 #include "waywright/docking/check_fields.hpp"
 #include "waywright/optimizer/lattice_search.hpp"
+#include "waywright/planner/docking/pattern_words.hpp"
 #include "waywright/speed/speed.hpp"
 
 namespace waywright {
@@ -14,13 +15,11 @@ InputError out_of_memory() { return {"", "", "there is not enough memory for thi
 }  // namespace
 
 struct Docking::State {
-  explicit State(Problem ready, const PatternDockingOptions& wanted)
-      : problem{std::move(ready)},
-        options{wanted},
-        planner{PatternDockingPlanner{wanted, std::make_shared<LatticeSearch>(), 1}.prepared(problem)} {}
+  State(Problem ready, const PatternDockingOptions& wanted) : problem{std::move(ready)}, options{wanted}, prepared{problem} {}
   Problem problem;
   PatternDockingOptions options;
-  PatternDockingPlanner planner;
+  LatticeSearch optimizer;
+  PreparedDocking prepared;
 };
 
 Docking::Docking(std::unique_ptr<const State> state) : state_{std::move(state)} {}
@@ -41,50 +40,153 @@ Parsed<Docking> Docking::prepare(Scenario scenario, const PatternDockingOptions&
   }
 }
 
-Parsed<Docking> Docking::from(const Pose& start) const noexcept {
+Parsed<Docking> Docking::from(const Pose& start, const StartMotion& motion, const std::optional<Shelf>& shelf) const noexcept {
   try {
     Scenario scenario = state_->problem.scenario();
     scenario.start = start;
+    scenario.start_motion = motion;
+    if (shelf) std::get<Station>(scenario.mission).shelf = *shelf;
     return prepare(std::move(scenario), state_->options);
   } catch (const std::exception&) {
     return tl::unexpected{out_of_memory()};
   }
 }
 
-DockingPlan Docking::plan(const BudgetLimits& limits, const std::atomic<bool>* cancel) const noexcept {
-  DockingPlan plan;
-  try {
-    const Problem& problem = state_->problem;
-    if (auto failure = problem.check_ends()) {
-      plan.status = failure->status;
-      plan.reason = std::move(failure->reason);
-      return plan;
-    }
-    Budget budget{limits, cancel};
-    PlanningResult found = state_->planner.plan(problem, budget);
-    plan.evaluations = budget.evaluations();
-    plan.reproducible = !budget.cut_short() && !budget.canceled();
-    if (!found) {
-      plan.status = found.error().failure.status;
-      plan.reason = std::move(found.error().failure.reason);
-      return plan;
-    }
-    for (const Alternative& a : found->alternatives) {
-      if (a.chosen && a.cost) plan.cost = *a.cost;
-    }
-    plan.path = problem.whole_path(std::move(found->path));
-    Proof proof = prove(problem, plan.path);
-    plan.certificate = std::move(proof.certificate);
-    plan.status = proof.holds() ? Status::solved : Status::unproven;
-    if (!proof.violations.empty()) plan.reason = std::move(proof.violations.front().sentence);
-    plan.samples = sample(plan.path, problem.footprint().radius(), plan.certificate.tolerance);
-    plan.travel_time = assign_speed(plan.samples, problem.vehicle());
-    plan.length = length(plan.path);
-  } catch (const std::exception&) {
-    plan = DockingPlan{};
-    plan.reason = "there is not enough memory for this plan";
+struct DockingSession::State {
+  explicit State(const Docking::State& docking)
+      : problem{docking.problem}, prepared{docking.prepared}, solver{docking.prepared, docking.options, docking.optimizer, 1} {
+    solver.reserve();
+    timing.reserve(PatternSolver::usual_samples);
+    plan.samples.reserve(PatternSolver::usual_samples);
   }
-  return plan;
+
+  /// `old` null: nothing to carry on.
+  void work(const DockingPlan* old, double driven, const BudgetLimits& limits, const std::atomic<bool>* cancel) {
+    const std::optional<Continuation> rest = old == nullptr ? std::nullopt : continuation(problem, old->path, driven);
+    const bool is_old_solved = old != nullptr && old->status == Status::solved;
+    start_over();
+    budget.emplace(limits, cancel);
+    ends = problem.check_ends();
+    if (!ends) {
+      if (rest && is_old_solved && solver.stands(rest->path)) {
+        take(0.0);
+        plan.in_motion = problem.motion().has_value();
+        plan.is_carried_on = true;
+        plan.moved = rest->farthest;
+      } else if (const SideFound* found = solver.solve(false, *budget)) {
+        take(found->cost);
+        plan.in_motion = solver.in_motion();
+      } else {
+        plan.status = budget->canceled() ? Status::canceled : budget->cut_short() ? Status::timed_out : Status::no_path;
+      }
+    } else {
+      plan.status = ends->status;
+    }
+    plan.evaluations = budget->evaluations();
+    plan.reproducible = !budget->cut_short() && !budget->canceled();
+  }
+
+  void start_over() {
+    std::vector<Sample> samples = std::move(plan.samples);
+    plan = {};
+    plan.samples = std::move(samples);
+    plan.samples.clear();
+  }
+
+  void take(double cost) {
+    plan.status = Status::solved;
+    plan.cost = cost;
+    plan.path = solver.path();
+    plan.certificate = solver.proof().certificate;
+    std::swap(plan.samples, solver.samples());
+    plan.travel_time = assign_speed(plan.samples, problem.vehicle(), problem.motion() ? problem.motion()->speed : 0.0, timing);
+    plan.length = length(plan.path);
+  }
+
+  std::string reason() const {
+    if (plan.status == Status::solved || !budget) return {};
+    if (ends) return ends->reason;
+    return failure_of(problem, prepared.task(), solver, outcomes_of(prepared, solver, *budget), *budget).failure.reason;
+  }
+
+  const Problem& problem;
+  const PreparedDocking& prepared;
+  PatternSolver solver;
+  SpeedWorkspace timing;
+  DockingPlan plan;
+  std::optional<Budget> budget;
+  std::optional<Failure> ends;  ///< what is wrong with them
+};
+
+DockingSession::DockingSession(std::unique_ptr<State> state) : state_{std::move(state)} {}
+DockingSession::DockingSession(DockingSession&&) noexcept = default;
+DockingSession& DockingSession::operator=(DockingSession&&) noexcept = default;
+DockingSession::~DockingSession() = default;
+
+Parsed<DockingSession> DockingSession::on(const Docking& docking) noexcept {
+  try {
+    return DockingSession{std::make_unique<State>(*docking.state_)};
+  } catch (const std::exception&) {
+    return tl::unexpected{out_of_memory()};
+  }
+}
+
+const DockingPlan& DockingSession::plan(const BudgetLimits& limits, const std::atomic<bool>* cancel) noexcept {
+  return work(nullptr, 0.0, limits, cancel);
+}
+
+const DockingPlan& DockingSession::replan(const DockingPlan& old, double driven, const BudgetLimits& limits, const std::atomic<bool>* cancel) noexcept {
+  return work(&old, driven, limits, cancel);
+}
+
+const DockingPlan& DockingSession::work(const DockingPlan* old, double driven, const BudgetLimits& limits, const std::atomic<bool>* cancel) noexcept {
+  try {
+    state_->work(old, driven, limits, cancel);
+  } catch (const std::exception&) {  // a path beyond the room that was made, and no memory for it
+    state_->plan.status = Status::no_path;
+    state_->budget.reset();
+  }
+  return state_->plan;
+}
+
+std::string DockingSession::reason() const noexcept {
+  try {
+    return state_->budget ? state_->reason() : "there is not enough memory for this plan";
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+namespace {
+
+DockingPlan planned_once(const Docking& docking, const auto& plan) {
+  auto session = DockingSession::on(docking);
+  if (!session) {
+    DockingPlan failed;
+    failed.reason = "not enough memory";
+    return failed;
+  }
+  DockingPlan made = plan(*session);
+  if (made.status != Status::solved) made.reason = session->reason();
+  return made;
+}
+
+}  // namespace
+
+DockingPlan Docking::plan(const BudgetLimits& limits, const std::atomic<bool>* cancel) const noexcept {
+  try {
+    return planned_once(*this, [&](DockingSession& session) { return session.plan(limits, cancel); });
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+DockingPlan Docking::replan(const DockingPlan& old, double driven, const BudgetLimits& limits, const std::atomic<bool>* cancel) const noexcept {
+  try {
+    return planned_once(*this, [&](DockingSession& session) { return session.replan(old, driven, limits, cancel); });
+  } catch (const std::exception&) {
+    return {};
+  }
 }
 
 }  // namespace waywright

@@ -20,6 +20,8 @@ namespace fs = std::filesystem;
 constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
 
 constexpr double longest = 1e4;  // m, of shelves and gaps
+constexpr double fastest = 1e3;  // m/s
+constexpr double sharpest = 1e3;  // 1/m
 constexpr std::size_t most_pockets = 1000;
 
 /// A list that may stand there as long as it is empty.
@@ -32,14 +34,15 @@ void not_yet(const Node& node, const char* field) {
     list.fail("it is not supported yet", "an empty array");
 }
 
-Pose read_start(const Node& node) {
-  if (!node.is_object()) return node.pose();
-  if (!node.is_object_of({"pose", "speed", "curvature"})) return {};
-  for (const char* field : {"speed", "curvature"}) {
-    if (node.has(field) && node.at(field).number(-1e3, 1e3) != 0.0)
-      node.at(field).fail("a moving start is not supported yet", "0");
+void read_start(const Node& node, Scenario& scenario) {
+  if (!node.is_object()) {
+    scenario.start = node.pose();
+    return;
   }
-  return node.at("pose").pose();
+  if (!node.is_object_of({"pose", "speed", "curvature"})) return;
+  scenario.start = node.at("pose").pose();
+  if (node.has("speed")) scenario.start_motion.speed = node.at("speed").number(-fastest, fastest);
+  if (node.has("curvature")) scenario.start_motion.curvature = node.at("curvature").number(-sharpest, sharpest);
 }
 
 Shelf read_shelf(const Node& node) {
@@ -199,7 +202,7 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder) {
   const std::size_t notes_of_map = notes.size();
   scenario.vehicle = read_vehicle_field(node.at("vehicle"), folder, notes);
   if (node.failed()) return scenario;
-  scenario.start = read_start(node.at("start"));
+  read_start(node.at("start"), scenario);
   scenario.mission = read_mission(node, notes);
   if (node.has("carried_load")) scenario.carried_load = node.at("carried_load").text();
   if (node.has("clearance")) scenario.clearance = node.at("clearance").number(0.0, 1e3);
@@ -253,7 +256,12 @@ Json scenario_to_json(const Scenario& scenario) {
   if (meta.is_object()) j["meta"] = std::move(meta);
   j["map"] = std::move(map);
   j["vehicle"] = vehicle_to_json(scenario.vehicle);
-  j["start"] = to_json(scenario.start);
+  const StartMotion& motion = scenario.start_motion;
+  if (motion.speed == 0.0 && motion.curvature == 0.0) {
+    j["start"] = to_json(scenario.start);
+  } else {
+    j["start"] = {{"pose", to_json(scenario.start)}, {"speed", motion.speed}, {"curvature", motion.curvature}};
+  }
   if (const auto* station = std::get_if<Station>(&scenario.mission)) {
     const Shelf& shelf = station->shelf;
     j["station"] = {{"area", to_json(station->area)},

@@ -134,6 +134,9 @@ class SampleCheck {
       return fmt::format("the samples run from s = {} to {} m, the curves are {:.6f} m long",
                          claimed_.front().s, claimed_.back().s, fresh_.back().s);
     }
+    if (is_too_fast(fresh_.front().speed, claimed_.front().speed)) {
+      return fmt::format("the samples begin at {:.4f} m/s, and the vehicle moves at {:.4f} m/s there", claimed_.front().speed, fresh_.front().speed);
+    }
     if (claimed_.front().t != 0.0)
       return fmt::format("the samples begin at t = {} s, and must at 0", claimed_.front().t);
     const std::vector<Stretch> claimed = stretches(claimed_);

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "waywright/core/version.hpp"
+#include "waywright/judge/entry.hpp"
 #include "waywright/metrics/metrics.hpp"
 #include "waywright/proof/limits.hpp"
 #include "waywright/speed/speed.hpp"
@@ -69,7 +70,13 @@ Plan judge(const Problem& problem, Path path, const std::atomic<bool>* cancel) {
 
   const Vehicle& vehicle = problem.vehicle();
   plan.samples = sample(plan.path, problem.footprint().radius(), proof.certificate.tolerance);
-  assign_speed(plan.samples, vehicle);
+  const auto& motion = problem.motion();
+  SpeedWorkspace timing;
+  if (auto violation = check_entry(problem, plan.samples, timing)) {
+    plan.status = Status::unproven;
+    plan.reason += (plan.reason.empty() ? "" : "; ") + violation->sentence;
+  }
+  assign_speed(plan.samples, vehicle, motion ? motion->speed : 0.0, timing);
   plan.metrics = measure(plan.path, plan.samples, clearances_along(problem, plan.path, plan.samples));
   return plan;
 }

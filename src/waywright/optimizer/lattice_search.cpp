@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace waywright {
@@ -15,8 +16,17 @@ struct Point {
   std::array<double, LatticeSearch::most_variables> u{};  // in the unit box
   double objective = 0.0, violation = 0.0;
   double merit = infinity;
-  bool used = false;  ///< as a start
+  std::int64_t order = 0;  ///< of its evaluation, among lattice points
+  bool used = false;       ///< as a start
 };
+
+/// Equal merits stay as they stand. For the few elements of simplices and starts: needs no memory.
+template <class Iterator, class Merit>
+void sort_by(Iterator first, Iterator last, Merit merit) {
+  for (Iterator i = first; i != last; ++i) {
+    for (Iterator k = i; k != first && merit(*k) < merit(*std::prev(k)); --k) std::iter_swap(k, std::prev(k));
+  }
+}
 
 /// A simplex that moves; its best corner stands first.
 struct Start {
@@ -38,12 +48,7 @@ double far(const Point& a, const Point& b, std::size_t n) {
 class Run final : public ResumableSearch {
  public:
   Run(const SearchSpace& space, const SearchOptions& options, const LatticeSearchOptions& tuning)
-      : space_{space},
-        n_{space.dimension()},
-        all_{options.evaluations},
-        tuning_{tuning},
-        cliff_{tuning.cliff},
-        price_{tuning.price} {
+      : space_{space}, n_{space.dimension()}, tuning_{tuning} {
     double root = 2.0;  // φ_d: Newton on x^(d+1) − x − 1 from above
     for (int i = 0; i < 64; ++i) {
       double power = 1.0;
@@ -52,7 +57,24 @@ class Run final : public ResumableSearch {
     }
     double power = 1.0;
     for (std::size_t i = 0; i < n_; ++i) alpha_[i] = power /= root;
-    seen_.reserve(static_cast<std::size_t>(std::min<std::int64_t>(all_, most_seen)));
+    starts_.reserve(static_cast<std::size_t>(tuning.starts));
+    result_.best.reserve(n_);
+    start_over(options);
+  }
+
+  void start_over(const SearchOptions& options) override {
+    all_ = options.evaluations;
+    cliff_ = tuning_.cliff;
+    price_ = tuning_.price;
+    best_objective_ = infinity;
+    index_ = work_end_ = before_ = 0;
+    seen_.clear();
+    seen_.reserve(static_cast<std::size_t>(std::clamp<std::int64_t>(all_, 0, most_seen)));
+    starts_.clear();
+    champion_ = {};
+    result_.best.clear();
+    result_.cost = 0.0;
+    result_.evaluations = 0;
   }
 
   const SearchResult& result() const override { return result_; }
@@ -126,7 +148,9 @@ class Run final : public ResumableSearch {
       const double best = best_objective_;
       evaluate(p, best);
       // One whose objective alone is no better than the best known leads nowhere.
-      if (p.objective < best) seen_.push_back(p);
+      if (p.objective >= best) continue;
+      p.order = index_;
+      seen_.push_back(p);
     }
   }
 
@@ -145,7 +169,8 @@ class Run final : public ResumableSearch {
   /// The best points seen that are neither near a better one already chosen nor near where a search has been.
   void choose_starts() {
     std::erase_if(seen_, [](const Point& p) { return p.used; });
-    std::stable_sort(seen_.begin(), seen_.end(), [](const Point& a, const Point& b) { return a.merit < b.merit; });
+    std::sort(seen_.begin(), seen_.end(),
+              [](const Point& a, const Point& b) { return a.merit < b.merit || (a.merit == b.merit && a.order < b.order); });
     if (std::ssize(seen_) > most_seen / 2) seen_.resize(most_seen / 2);
     starts_.clear();
     const double step = spacing();
@@ -167,7 +192,7 @@ class Run final : public ResumableSearch {
   bool round() {
     const std::int64_t each = static_cast<std::int64_t>(tuning_.work) * static_cast<std::int64_t>(n_);
     for (Start& start : starts_) simplex(start, each);
-    std::stable_sort(starts_.begin(), starts_.end(), [](const Start& a, const Start& b) { return a.best().merit < b.best().merit; });
+    sort_by(starts_.begin(), starts_.end(), [](const Start& s) { return s.best().merit; });
     if (champion_.size == 0.0 || starts_.front().best().merit <= champion_.best().merit) champion_ = starts_.front();
     if (!may_go_on()) return false;
     if (starts_.size() > 1) {
@@ -195,8 +220,7 @@ class Run final : public ResumableSearch {
   }
 
   void sort_corners(Start& s) {
-    std::stable_sort(s.corners.begin(), s.corners.begin() + static_cast<std::ptrdiff_t>(n_ + 1),
-                     [](const Point& a, const Point& b) { return a.merit < b.merit; });
+    sort_by(s.corners.begin(), s.corners.begin() + static_cast<std::ptrdiff_t>(n_ + 1), [](const Point& p) { return p.merit; });
   }
 
   void simplex(Start& s, std::int64_t work) {
@@ -268,10 +292,10 @@ class Run final : public ResumableSearch {
   const CostFunction* cost_ = nullptr;
   SearchSpace space_;
   std::size_t n_;
-  std::int64_t all_, limit_ = 0;
+  std::int64_t all_ = 0, limit_ = 0;
   Budget* budget_ = nullptr;
   LatticeSearchOptions tuning_;
-  double cliff_, price_;
+  double cliff_ = 0.0, price_ = 0.0;
   std::array<double, LatticeSearch::most_variables> x_{}, alpha_{};
   double best_objective_ = infinity;  ///< of the feasible
   std::int64_t index_ = 0, work_end_ = 0, before_ = 0;

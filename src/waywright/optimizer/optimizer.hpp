@@ -49,6 +49,9 @@ class ResumableSearch {
   /// Goes on until `evaluations` in all are done, or the budget is exhausted. The cost function is the same each time.
   virtual void advance(const CostFunction& cost, std::int64_t evaluations, Budget& budget) = 0;
   virtual const SearchResult& result() const = 0;
+  /// Halted before its first evaluation again, in the same space: as begun anew, in the memory that it has. Allocates nothing where it was
+  /// begun with at least as many evaluations.
+  virtual void start_over(const SearchOptions& options) = 0;
 };
 
 /// Same cost function, space, options: the same result bit for bit. Stops at the budget or when it is exhausted.

@@ -62,6 +62,7 @@ double samples_needed(const Path& path, double radius, double tolerance, double 
 /// rate. Every joint of curves has a sample, two where curvature jumps. Where more than most_samples are needed, all steps are wider.
 /// First = start, last = end; t and speed are left at 0 (speed/ fills them).
 std::vector<Sample> sample(const Path& path, double radius, double tolerance, double step = 0.05);
+inline void sample(const Path& path, double radius, double tolerance, std::vector<Sample>& samples) { samples = sample(path, radius, tolerance); }  // SHIM
 
 /// Places i where the vehicle must stand still between samples i−1 and i (same s): direction changes, turns on the spot.
 bool is_direction_change(const Sample& before, const Sample& after);

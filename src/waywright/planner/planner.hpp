@@ -23,6 +23,7 @@ struct Planned {
   std::vector<std::string> explanation;   ///< why this one, against which alternatives
   std::vector<Alternative> alternatives;  ///< what was tried
   std::optional<Optimality> optimality{};
+  bool begins_in_motion = false;          ///< the path begins at problem.first_pose(), though the vehicle moves there
 };
 
 /// A failure keeps what was tried, so that the report can show it.
@@ -105,6 +106,7 @@ struct PlannerDescription {
   std::function<AnyPlanner(const Parameters&, std::uint64_t seed)> make;
   /// Does it, with these parameters, keep a budget of samples? Empty: no. All keep one of evaluations.
   std::function<bool(const Parameters&)> counts_samples = {};
+  bool goes_on_in_motion = false;  ///< it can begin where the vehicle moves; others begin where it has stopped
 };
 
 }  // namespace waywright

@@ -79,7 +79,7 @@ PlannerDescription pattern_docking_description() {
             if (std::get<bool>(p.at("fallback"))) fallback = RrtConnectPlanner{RrtConnectOptions{.goal_straight = options.leads.dock}, seed};
             return PatternDockingPlanner{options, optimizer_of(word(p, "optimizer")), seed, std::move(fallback)};
           },
-          [](const Parameters& p) { return std::get<bool>(p.at("fallback")); }};
+          [](const Parameters& p) { return std::get<bool>(p.at("fallback")); }, true};
 }
 
 PlannerDescription published_docking_description() {

@@ -12,6 +12,7 @@ namespace waywright {
 namespace {
 
 constexpr double relative_slack = 1e-6;      // of a limit
+constexpr double curvature_tolerance = 1e-6;  // 1/m, of a curvature that goes on
 constexpr std::size_t most_intervals = 400000;
 constexpr int deepest = 48;                  // halvings
 constexpr double most_turning = 1e3;         // rad, of one arc: its heading loses digits with every turn
@@ -77,6 +78,22 @@ std::optional<Violation> exceeds(const std::vector<MotionInterval>& intervals, d
   return worst;
 }
 
+/// A vehicle that moves goes on in its direction and, where that is known and steering takes time, with its curvature.
+std::optional<Violation> check_entry_motion(const Problem& problem, const Piece& first) {
+  const auto& motion = problem.motion();
+  if (!motion) return std::nullopt;
+  const auto name = [](int direction) { return direction < 0 ? "backwards" : direction > 0 ? "forwards" : "on the spot"; };
+  if (first.direction != motion->direction) {
+    return Violation{fmt::format("the vehicle moves {} when the plan begins, and the path begins {}", name(motion->direction), name(first.direction)),
+                     problem.first_pose()};
+  }
+  if (std::holds_alternative<PoseSequence>(first.curve) || !problem.vehicle().steering_takes_time()) return std::nullopt;
+  const double begins = start_curvature(first);
+  if (std::abs(begins - motion->curvature) <= curvature_tolerance) return std::nullopt;
+  return Violation{fmt::format("the vehicle's way has a curvature of {:.6f} 1/m when the plan begins, and the path begins with {:.6f} 1/m", motion->curvature, begins),
+                   problem.first_pose()};
+}
+
 }  // namespace
 
 std::vector<Violation> check_form(const Path& path) {
@@ -113,6 +130,7 @@ std::vector<Violation> check_continuity(const Problem& problem, const Path& path
                           is});
   };
   compare(start_pose(path), problem.first_pose(), "the path misses the start pose");
+  if (auto violation = check_entry_motion(problem, path.pieces.front())) violations.push_back(*violation);
   for (std::size_t i = 0; i < path.pieces.size(); ++i) {
     const std::vector<MotionInterval> intervals = MotionInterval::of(path.pieces[i]);
     for (std::size_t k = 0; k + 1 < intervals.size(); ++k) {
@@ -141,7 +159,7 @@ std::vector<Violation> check_limits(const Vehicle& vehicle, const Path& path) {
       for (std::size_t i = 0; i + 1 < intervals.size(); ++i) {
         const double before = intervals[i].curvature_at_end();
         const double after = intervals[i + 1].curvature_at_begin();
-        if (std::abs(after - before) > 1e-6) {
+        if (std::abs(after - before) > curvature_tolerance) {
           violations.push_back({fmt::format("the curvature jumps by {:.6f} 1/m inside a piece, where the vehicle does not stand",
                                             std::abs(after - before)),
                                 intervals[i + 1].begin()});

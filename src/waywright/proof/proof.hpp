@@ -46,5 +46,11 @@ struct Proof {
 
 /// Proves or refutes. Never throws on data; work is bounded.
 Proof prove(const Problem& problem, const Path& path, const ProofOptions& options = {});
+// SHIM
+class ProofWorkspace {
+ public:
+  explicit ProofWorkspace(const Problem&) {}
+};
+inline Proof prove(const Problem& problem, const Path& path, const ProofOptions& options, ProofWorkspace&) { return prove(problem, path, options); }
 
 }  // namespace waywright

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 namespace waywright {
@@ -121,6 +122,40 @@ std::optional<InputError> Problem::set_station(const Station& station) {
   return std::nullopt;
 }
 
+std::optional<InputError> Problem::set_motion() {
+  rest_ = scenario_.start;
+  const StartMotion& given = scenario_.start_motion;
+  if (given.speed == 0.0) return std::nullopt;
+  if (driven_back_) return refuse("start.speed", "the way out of the shelf begins at rest, and start is where it ends", "0");
+  EntryMotion motion{std::abs(given.speed), given.speed < 0.0 ? -1 : 1, given.curvature};
+  const Limits& limits = vehicle().limits;
+  const double most = motion.direction < 0 ? limits.reverse_speed : limits.speed;
+  if (motion.speed > most) {
+    return refuse("start.speed", fmt::format("{} m/s is over the vehicle's limit in that direction", motion.speed), fmt::format("at most {} m/s", most));
+  }
+  if (std::abs(motion.curvature) > vehicle().max_curvature()) {
+    return refuse("start.curvature", fmt::format("{} 1/m is over the vehicle's limit", motion.curvature),
+                  fmt::format("at most {} 1/m to either side", vehicle().max_curvature()));
+  }
+  double deceleration = limits.deceleration;
+  if (limits.angular_acceleration) deceleration = std::min(deceleration, *limits.angular_acceleration / std::abs(motion.curvature));
+  constexpr double reserve = 1e-9;  // share of it, for rounding
+  const double distance = motion.speed * motion.speed / (2.0 * deceleration) * (1.0 + reserve);
+  const double course = motion.direction < 0 ? wrap(rest_.heading + pi) : rest_.heading;
+  constexpr double longest = 1e4;  // m
+  if (!(distance > 0.0 && distance <= longest)) {
+    return refuse("start.speed", fmt::format("stopping from {} m/s takes {:.3g} m", motion.speed, distance), "what can be stopped within 10 km");
+  }
+  if (motion.curvature == 0.0) {
+    stopping_ = Piece{Line{rest_.position(), rest_.position() + distance * unit(course)}, motion.direction};
+  } else {
+    stopping_ = Piece{Arc{make_pose(rest_.position(), course), motion.curvature, distance}, motion.direction};
+  }
+  rest_ = end_pose(*stopping_);
+  motion_ = motion;
+  return std::nullopt;
+}
+
 Parsed<Problem> Problem::prepare(Scenario scenario) {
   Problem problem;
   problem.scenario_ = std::move(scenario);
@@ -137,6 +172,7 @@ Parsed<Problem> Problem::prepare(Scenario scenario) {
   } else {
     problem.goal_ = std::get<Pose>(given.mission);
   }
+  if (auto error = problem.set_motion()) return tl::unexpected{*error};
   problem.world_.build();
   problem.pose_error_margin_ = margin_of(given.pose_error, problem.footprint_.radius());
   return problem;
@@ -147,8 +183,9 @@ Piece Problem::pocket_stretch() const {
   return driven_back_ ? Piece{Line{inner, outer}, -1} : Piece{Line{outer, inner}, 1};
 }
 
-Path Problem::whole_path(Path planned) const {
+Path Problem::whole_path(Path planned, bool begins_in_motion) const {
   if (driven_back_) planned = reversed(planned);
+  if (stopping_ && !begins_in_motion) planned.pieces.insert(planned.pieces.begin(), *stopping_);
   if (pocket_) planned.pieces.insert(driven_back_ ? planned.pieces.begin() : planned.pieces.end(), pocket_stretch());
   return planned;
 }
@@ -166,16 +203,45 @@ std::optional<std::size_t> Problem::pocket_piece(const Path& path) const {
   return as_it_must ? std::optional{index} : std::nullopt;
 }
 
+/// A vehicle that is faster than its limits allow where it is on a bend can go nowhere within them.
+std::optional<Failure> Problem::check_motion() const {
+  if (!motion_) return std::nullopt;
+  constexpr double slack = 1e-3;  // share of the speed: what is measured
+  const Limits& limits = vehicle().limits;
+  const double bend = std::abs(motion_->curvature);
+  double most = std::numeric_limits<double>::infinity();
+  if (limits.lateral_acceleration) most = std::min(most, std::sqrt(*limits.lateral_acceleration / bend));
+  if (limits.angular_speed) most = std::min(most, *limits.angular_speed / bend);
+  if (motion_->speed <= most * (1.0 + slack)) return std::nullopt;
+  Failure failure;
+  failure.status = Status::no_path;
+  failure.pose = scenario_.start;
+  failure.reason = fmt::format("the vehicle begins at {:.4f} m/s with a curvature of {:.4f} 1/m, where its limits of lateral acceleration and angular speed allow {:.4f} m/s",
+                               motion_->speed, motion_->curvature, most);
+  return failure;
+}
+
 std::optional<Failure> Problem::check_ends() const {
   const double required = required_clearance();
   for (const bool is_start : {true, false}) {
-    const Pose& pose = is_start ? start() : goal();
+    const Pose& pose = is_start ? scenario_.start : goal();
     const Contact contact = world_.clearance(footprint_, pose, required + 1.0);
     if (contact.clearance == 0.0 || contact.clearance < required - 1e-9) {  // rounding of the distance itself
       return end_failure(world_, contact, pose, is_start != driven_back_, required);
     }
   }
+  if (auto failure = check_motion()) return failure;
   return check_pocket();
+}
+
+std::optional<Failure> Problem::check_stop() const {
+  if (!motion_) return std::nullopt;
+  const double required = required_clearance();
+  const Contact contact = world_.clearance(footprint_, rest_, required + 1.0);
+  if (contact.clearance > 0.0 && contact.clearance >= required - 1e-9) return std::nullopt;
+  Failure failure = end_failure(world_, contact, rest_, true, required);
+  failure.reason = "the vehicle cannot come to rest in time: " + failure.reason;
+  return failure;
 }
 
 /// The pose with the forks in.

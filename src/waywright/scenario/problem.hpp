@@ -11,6 +11,13 @@
 
 namespace waywright {
 
+/// A vehicle that moves when the plan begins.
+struct EntryMotion {
+  double speed = 0.0;      ///< m/s, > 0
+  int direction = 1;       ///< +1 forward, −1 backward
+  double curvature = 0.0;  ///< 1/m in the direction of travel
+};
+
 class Problem {
  public:
   /// Builds the world (map + station's area + shelf). Checks of single fields are the reader's; this refuses what only
@@ -24,16 +31,23 @@ class Problem {
   const Footprint& footprint() const { return footprint_; }
 
   /// What planners are asked: a path from `start` to `goal` (of a station: the docked pose) that keeps the required clearance. The way out
-  /// of a station is planned as the way in, and driven back.
-  const Pose& start() const { return scenario_.start; }
+  /// of a station is planned as the way in, and driven back. A vehicle that moves stops first, with the curvature that it has, and `start`
+  /// is where it stands then; who can go on from its motion may begin at first_pose() instead.
+  const Pose& start() const { return rest_; }
   const Pose& goal() const { return goal_; }
 
-  /// The whole mission: what planners found, with the stretch into or out of the shelf, in the order in which it is driven.
+  const std::optional<EntryMotion>& motion() const { return motion_; }
+  /// @pre the vehicle moves
+  const Piece& stopping_stretch() const { return *stopping_; }
+
+  /// The whole mission: what planners found, with the stretch in which a moving vehicle stops and the one into or out of the shelf, in the
+  /// order in which it is driven.
   bool is_driven_back() const { return driven_back_; }
   const std::optional<PocketMotion>& pocket() const { return pocket_; }
-  const Pose& first_pose() const { return driven_back_ ? at_shelf() : start(); }
-  const Pose& last_pose() const { return driven_back_ ? start() : at_shelf(); }
-  Path whole_path(Path planned) const;
+  const Pose& first_pose() const { return driven_back_ ? at_shelf() : scenario_.start; }
+  const Pose& last_pose() const { return driven_back_ ? scenario_.start : at_shelf(); }
+  /// `begins_in_motion`: what was planned begins at first_pose(), though the vehicle moves there.
+  Path whole_path(Path planned, bool begins_in_motion = false) const;
   /// @pre there is a pocket
   Piece pocket_stretch() const;
   /// Which piece of a whole path is the stretch in the shelf; empty where it has none or it is not as it must be.
@@ -44,20 +58,27 @@ class Problem {
   /// Clearance that a nominal pose must show: clearance + pose error margin. m
   double required_clearance() const { return scenario_.clearance + pose_error_margin_; }
 
-  /// First or last pose of the mission, or the docked one, that cannot be: *_outside, *_in_collision with the obstacle's name; empty where
-  /// all are fine.
+  /// First or last pose of the mission, or the docked one, that cannot be: *_outside, *_in_collision with the obstacle's name; or a motion
+  /// at the start that is over the vehicle's limits. Empty where all are fine.
   std::optional<Failure> check_ends() const;
+  /// The pose at which a moving vehicle comes to rest, if it cannot be.
+  std::optional<Failure> check_stop() const;
 
  private:
   Problem() = default;
   const Pose& at_shelf() const { return pocket_ ? pocket_->inner : goal_; }
   std::optional<InputError> set_station(const Station& station);
+  std::optional<InputError> set_motion();
+  std::optional<Failure> check_motion() const;
   std::optional<Failure> check_pocket() const;
 
   Scenario scenario_;
   Footprint footprint_;
   std::optional<PocketMotion> pocket_;
   bool driven_back_ = false;
+  std::optional<EntryMotion> motion_;
+  std::optional<Piece> stopping_;
+  Pose rest_{};
   World world_;
   Pose goal_{};
   double pose_error_margin_ = 0.0;

@@ -56,6 +56,12 @@ struct Station {
   std::optional<Insertion> insertion{};
 };
 
+/// How the vehicle moves when the plan begins.
+struct StartMotion {
+  double speed = 0.0;      ///< m/s along the heading, backwards negative; 0: it stands
+  double curvature = 0.0;  ///< 1/m of its way, in the direction of travel, left positive; of one that stands: no matter, it can steer first
+};
+
 /// What is asked: reach a pose, or dock at a station's shelf. (Waypoints, regions, legs: not supported yet.)
 using Mission = std::variant<Pose, Station>;
 
@@ -74,6 +80,7 @@ struct Scenario {
   std::string map_source = "{}";  ///< JSON text: where the map came from, with SHA-256 of its files
   Vehicle vehicle;
   Pose start{};
+  StartMotion start_motion;
   Mission mission;
   std::string carried_load;  ///< name of the vehicle's load that is carried all the way; empty: none
   double clearance = 0.0;  ///< m, ≥ 0, kept from everything by the whole footprint

@@ -104,12 +104,13 @@ struct Interval {
 
 class Profile {
  public:
-  Profile(const std::vector<Sample>& samples, const Vehicle& vehicle)
+  Profile(const std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed)
       : samples_{samples}, limits_{vehicle.limits} {
     const std::size_t n = samples.size();
     caps_.assign(n, infinity);
     rests_.assign(n, false);
-    rests_.front() = rests_.back() = true;
+    rests_.back() = true;
+    if (start_speed <= 0.0) rests_.front() = true;
     for (std::size_t i = 0; i + 1 < n; ++i) {
       const Sample& a = samples[i];
       const Sample& b = samples[i + 1];
@@ -122,12 +123,15 @@ class Profile {
       if (rests_[i] || caps_[i] < square(creeping)) caps_[i] = 0.0;
     }
     backward();
+    greatest_ = std::sqrt(w_.front());
+    if (start_speed > 0.0) w_.front() = std::min(w_.front(), start_speed * start_speed);
     forward();
   }
 
   /// v² of every sample.
   const std::vector<double>& speeds_squared() const { return w_; }
   const std::vector<Step>& steps() const { return steps_; }
+  double greatest_ = 0.0;
 
  private:
   /// Accelerations with which step i can be driven from w at its start to at most `most` at its end.
@@ -250,9 +254,13 @@ std::size_t time_turn(std::vector<Sample>& samples, const std::vector<Step>& ste
 
 }  // namespace
 
-double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle) {
+double greatest_start_speed(const std::vector<Sample>& samples, const Vehicle& vehicle, SpeedWorkspace&) {
+  return Profile{samples, vehicle, std::numeric_limits<double>::infinity()}.greatest_;
+}
+
+double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed) {
   if (samples.empty()) return 0.0;
-  const Profile profile{samples, vehicle};
+  const Profile profile{samples, vehicle, start_speed};
   const std::vector<double>& w = profile.speeds_squared();
   const std::vector<Step>& steps = profile.steps();
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i].speed = std::sqrt(w[i]);

@@ -17,7 +17,13 @@ namespace waywright {
 /// absent); a steered wheel that has to turn while the vehicle stands is waited for. Laws: t never decreases
 /// and is finite; speed ≥ 0; limits hold at both ends of every step. Returns the total time in s.
 /// @pre s never decreases; limits > 0
-double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle);
+double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed = 0.0);
+// SHIM
+struct SpeedWorkspace {
+  void reserve(std::size_t) {}
+};
+inline double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed, SpeedWorkspace&) { return assign_speed(samples, vehicle, start_speed); }
+double greatest_start_speed(const std::vector<Sample>& samples, const Vehicle& vehicle, SpeedWorkspace& workspace);
 
 /// s that a step takes at least which begins and ends at rest and moves between.
 double time_from_rest_to_rest(const Sample& before, const Sample& after, const Vehicle& vehicle);

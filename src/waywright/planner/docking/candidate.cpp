@@ -11,20 +11,21 @@ namespace waywright {
 namespace {
 
 constexpr double limit_share = 0.9995;  // of curvature and its rate: what the peak between samples may be off by
+constexpr double entry_share = 0.995;   // of the speed with which a way can be entered: what steps of it may be off by
 constexpr double end_reserve = 1e-6;    // m: start and docked pose were checked as such and may stand exactly at the required clearance
 
 // Bands of the graded cost. Costs of feasible paths are of the order of 1.
 constexpr double contact_band = 1000.0;
 constexpr double limit_band = 100.0;
 
-lanes::Quintic lane_quintic(const BezierSpan& span, Vec2 origin, int direction) {
+lanes::Quintic lane_quintic(const BezierSpan& span, Vec2 origin, int direction, bool is_bent) {
   const auto f = [](double v) { return static_cast<float>(v); };
   const Vec2 from = span.control[0] - origin;
   const Vec2 chord = span.control[5] - span.control[0];
   const Vec2 tangent = 5.0 * (span.control[1] - span.control[0]);
   const Vec2 end = 5.0 * (span.control[5] - span.control[4]);
-  return {f(from.x),    f(from.y), f(chord.x), f(chord.y),          f(tangent.x),
-          f(tangent.y), f(end.x),  f(end.y),   direction < 0 ? -1.0F : 1.0F};
+  const Vec2 bend = is_bent ? 20.0 * ((span.control[2] - span.control[1]) - (span.control[1] - span.control[0])) : Vec2{};
+  return {f(from.x), f(from.y), f(chord.x), f(chord.y), f(tangent.x), f(tangent.y), f(end.x), f(end.y), f(bend.x), f(bend.y), direction < 0 ? -1.0F : 1.0F};
 }
 
 bool is_open(const lanes::Screen& screen, int interval) {
@@ -58,20 +59,45 @@ CandidateEvaluator::CandidateEvaluator(const PreparedDocking& prepared, const la
 CandidateScore CandidateEvaluator::measure(const DockingPattern& pattern) {
   CandidateScore score;
   const Vec2 origin = prepared_.field().origin();
-  kernels_.trace(lane_quintic(pattern.back, origin, -1), has_rate_limit_, tracks_[0]);
-  kernels_.trace(lane_quintic(pattern.forth, origin, 1), has_rate_limit_, tracks_[1]);
+  kernels_.trace(lane_quintic(pattern.back, origin, -1, pattern.start_curvature != 0.0), has_rate_limit_ || entry_speed_ > 0.0, tracks_[0]);
+  kernels_.trace(lane_quintic(pattern.forth, origin, 1, false), has_rate_limit_, tracks_[1]);
   PathMeasures& m = score.measures;
   m.length = straight_lengths(pattern.points);
   for (const lanes::Track& track : tracks_) {
     m.length += static_cast<double>(track.length);
     m.curvature_change += static_cast<double>(track.curvature_change);
     m.max_curvature = std::max(m.max_curvature, static_cast<double>(track.max_curvature));
-    score.max_curvature_rate = std::max(score.max_curvature_rate, static_cast<double>(track.max_rate));
+    if (has_rate_limit_) score.max_curvature_rate = std::max(score.max_curvature_rate, static_cast<double>(track.max_rate));
   }
   const auto over = [](double value, double limit) { return value > limit ? value / limit - 1.0 : 0.0; };
   score.excess = over(m.max_curvature, curvature_limit_) + over(score.max_curvature_rate, rate_limit_);
+  if (entry_speed_ > 0.0) score.excess += over(entry_speed_, greatest_entry_speed(pattern.points) * entry_share);
   if (!std::isfinite(score.excess) || !std::isfinite(m.length)) score.excess = 1e6;
   return score;
+}
+
+void CandidateEvaluator::enter_with(double speed) {
+  entry_speed_ = speed;
+  if (speed == 0.0 || !entry_.empty()) return;
+  entry_.resize(lanes::samples + 2);  // with both straight runs
+  timing_.reserve(entry_.size());
+}
+
+/// Of the way back, at the end of which the vehicle stands.
+double CandidateEvaluator::greatest_entry_speed(const PatternPoints& points) {
+  const lanes::Track& track = tracks_[0];
+  const double head = distance(points.back[0], points.back[1]);
+  for (Sample& sample : entry_) sample = {.direction = -1};
+  for (std::size_t i = 0; i < lanes::samples; ++i) {
+    Sample& sample = entry_[i + 1];
+    sample.s = i == 0 ? head : entry_[i].s + static_cast<double>(track.step[i - 1]);
+    sample.curvature = static_cast<double>(track.curvature[i]);
+    sample.curvature_rate = static_cast<double>(track.rate[i]);
+  }
+  // The straight run before the bend counts where there is one; else the sample there is the first of the bend once more.
+  if (head == 0.0) entry_.front().curvature = entry_[1].curvature;
+  entry_.back().s = entry_[lanes::samples].s + distance(points.back[2], points.back[3]);
+  return greatest_start_speed(entry_, prepared_.problem().vehicle(), timing_);
 }
 
 Placement CandidateEvaluator::pose_at(const lanes::Track& track, std::size_t i) const {

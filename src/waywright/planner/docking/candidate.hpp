@@ -3,12 +3,14 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "waywright/objective/docking_cost.hpp"
 #include "waywright/optimizer/optimizer.hpp"
 #include "waywright/planner/docking/pattern.hpp"
 #include "waywright/planner/docking/prepared.hpp"
 #include "waywright/planner/docking/sweep.hpp"
+#include "waywright/speed/speed.hpp"
 
 namespace waywright {
 
@@ -41,6 +43,8 @@ class CandidateEvaluator {
     check(pattern, score);
     return score;
   }
+  /// From now on patterns are entered with this speed, m/s backwards: one that is too short or too bent to be driven from it is not feasible.
+  void enter_with(double speed);
   /// In two steps: measures and limits …
   CandidateScore measure(const DockingPattern& pattern);
   /// … and contact. @pre `score` is what measure() just gave for this pattern
@@ -56,6 +60,7 @@ class CandidateEvaluator {
   };
   Placement pose_at(const lanes::Track& track, std::size_t i) const;
   double bow_of(const lanes::Track& track, std::size_t i) const;
+  double greatest_entry_speed(const PatternPoints& points);
 
   const PreparedDocking& prepared_;
   const lanes::Kernels& kernels_;
@@ -65,6 +70,9 @@ class CandidateEvaluator {
   double curvature_limit_;
   bool has_rate_limit_;
   double rate_limit_;
+  double entry_speed_ = 0.0;
+  std::vector<Sample> entry_;  ///< the way back, where it is entered in motion
+  SpeedWorkspace timing_;
   std::array<lanes::Track, 2> tracks_;
 };
 

@@ -12,11 +12,12 @@ namespace {
 
 using fixture::Id;
 
-double searched(const PreparedDocking& prepared, PatternDockingOptions options, std::int64_t evaluations) {
-  options.evaluations = evaluations;
+double searched(const PreparedDocking& prepared, const PatternDockingOptions& options, std::int64_t evaluations) {
   Budget budget;
-  const auto outcomes = search_sides(prepared, options, LatticeSearch{}, 1, false, budget);
-  const SideOutcome* best = best_of(outcomes);
+  const LatticeSearch optimizer;
+  PatternSearch search{prepared, options, optimizer};
+  auto& sides = search.search({{placement_of(prepared.problem().start())}}, evaluations, 1, false, budget);
+  const SideFound* best = best_of(sides);
   return best == nullptr ? 1e9 : best->cost;
 }
 

@@ -35,7 +35,7 @@ std::array<Spline, 2> published_pattern(const Pose& start, const Pose& dock, con
           Spline{SplineKind::natural_cubic, natural_cubic(points.forth)}};
 }
 
-BezierSpan joining_quintic(Vec2 from, Vec2 from_course, Vec2 to, Vec2 to_course) {
+BezierSpan joining_quintic(Vec2 from, Vec2 from_course, Vec2 to, Vec2 to_course, double start_curvature) {
   const Vec2 chord = to - from;
   const double distance = norm(chord);
   const Vec2 along = distance > 0.0 ? (1.0 / distance) * chord : from_course;
@@ -51,13 +51,16 @@ BezierSpan joining_quintic(Vec2 from, Vec2 from_course, Vec2 to, Vec2 to_course)
   const double t = missing(cos_a * cos_b + sin_a * sin_b, left_a != left_b && (sin_turn < 0.0) == left_a && sin_turn != 0.0);
   const double s = missing(cos_a * cos_b - sin_a * sin_b, left_a == left_b && (sin_sum < 0.0) == left_a && sin_sum != 0.0);
   const double length = distance * (0.92 + 0.45 * t + 0.25 * t * t + 0.95 * t * t * t * t + 0.3 * s);
-  return straight_ended_quintic(from, length * from_course, to, length * to_course);
+  const Vec2 first = length * from_course, last = length * to_course;
+  return start_curvature == 0.0 ? straight_ended_quintic(from, first, to, last) : straight_ending_quintic(from, first, start_curvature, to, last);
 }
 
-DockingPattern docking_pattern(const Placement& start, const Placement& dock, const Placement& transition, const PatternLeads& leads) {
-  DockingPattern pattern{pattern_points(start, dock, transition, leads), {}, {}};
+DockingPattern docking_pattern(const PatternStart& start, const Placement& dock, const Placement& transition, const PatternLeads& leads) {
+  PatternLeads used = leads;
+  if (start.curvature != 0.0) used.start = 0.0;
+  DockingPattern pattern{pattern_points(start.at, dock, transition, used), {}, {}, start.curvature};
   const auto& [back, forth] = pattern.points;
-  pattern.back = joining_quintic(back[1], -start.heading, back[2], -transition.heading);
+  pattern.back = joining_quintic(back[1], -start.at.heading, back[2], -transition.heading, start.curvature);
   pattern.forth = joining_quintic(forth[1], transition.heading, forth[2], dock.heading);
   return pattern;
 }

@@ -32,6 +32,14 @@ struct Placement {
 };
 inline Placement placement_of(const Pose& pose) { return {pose.position(), unit(pose.heading)}; }
 
+/// Where a pattern begins.
+struct PatternStart {
+  PatternStart() = default;
+  PatternStart(const Placement& where, double begins_with = 0.0) : at{where}, curvature{begins_with} {}  // NOLINT: implicit on purpose
+  Placement at;
+  double curvature = 0.0;  ///< 1/m in the direction of travel, which is backwards: of a vehicle that moves already. Not 0: no straight start
+};
+
 PatternPoints pattern_points(const Placement& start, const Placement& dock, const Placement& transition, const PatternLeads& leads);
 
 /// Vehicle heading at the transition: the forks point at the shelf's axis, turned by `offset` (away from the shelf positive).
@@ -45,20 +53,21 @@ std::array<Spline, 2> published_pattern(const Pose& start, const Pose& dock, con
 struct DockingPattern {
   PatternPoints points;
   BezierSpan back, forth;  ///< the quintics between points 1 and 2 of each
+  double start_curvature = 0.0;
 };
-DockingPattern docking_pattern(const Placement& start, const Placement& dock, const Placement& transition, const PatternLeads& leads);
+DockingPattern docking_pattern(const PatternStart& start, const Placement& dock, const Placement& transition, const PatternLeads& leads);
 inline DockingPattern docking_pattern(const Pose& start, const Pose& dock, const Pose& transition, const PatternLeads& leads) {
-  return docking_pattern(placement_of(start), placement_of(dock), placement_of(transition), leads);
+  return docking_pattern({placement_of(start)}, placement_of(dock), placement_of(transition), leads);
 }
 std::array<Spline, 2> splines_of(const DockingPattern& pattern);
 
 /// Our form: straight first and last stretches and a quintic between them whose curvature is 0 at both ends. The headings are
-/// met exactly, and the curvature is 0 and continuous wherever the vehicle stands still.
+/// met exactly, and the curvature is 0 and continuous wherever the vehicle stands still; at the start it may be another one.
 std::array<Spline, 2> straight_ended_pattern(const Pose& start, const Pose& dock, const Pose& transition,
                                              const PatternLeads& leads);
 
-/// The quintic between two courses (unit vectors), tangent lengths chosen for little change of curvature.
-BezierSpan joining_quintic(Vec2 from, Vec2 from_course, Vec2 to, Vec2 to_course);
+/// The quintic between two courses (unit vectors), tangent lengths chosen for little change of curvature between straight ends.
+BezierSpan joining_quintic(Vec2 from, Vec2 from_course, Vec2 to, Vec2 to_course, double start_curvature = 0.0);
 
 /// Both splines as a path: backwards, then forwards.
 Path pattern_path(std::array<Spline, 2> splines);

@@ -29,6 +29,7 @@ Box region_of(const Problem& problem, const DockingTask& task) {
       }
     }
     points.push_back(problem.start().position());
+    points.push_back(problem.first_pose().position());
     points.push_back(problem.goal().position());
     reach += problem.footprint().radius();
   }

@@ -1,15 +1,30 @@
 // What both forms of the docking planner share: the search box of a side, and the sides' story for the explanation.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "waywright/judge/plan.hpp"
 #include "waywright/optimizer/optimizer.hpp"
-#include "waywright/planner/docking/pattern_docking.hpp"
+#include "waywright/planner/docking/partition.hpp"
+#include "waywright/planner/docking/pattern_options.hpp"
 
 namespace waywright {
+
+/// What the search on one side of the shelf came to.
+struct SideOutcome {
+  Side side = Side::left;
+  bool searched = false;   ///< at least one candidate was looked at
+  bool feasible = false;
+  double cost = 0.0;       ///< objective of the best path; graded where not feasible
+  Pose transition{};       ///< world
+  Path path;               ///< best path found, also where it is not feasible
+  std::string sentence;    ///< what happened, for the explanation
+  std::optional<Contact> contact;  ///< what the best infeasible one meets first …
+  double reach = 0.0;              ///< … after so many metres
+};
 
 /// Box over a zone's polygons in the shelf's frame, with a third variable for the heading where its range is positive.
 SearchSpace search_space(const Zone& zone, double heading_range);

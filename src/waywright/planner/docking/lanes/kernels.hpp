@@ -17,12 +17,14 @@ inline constexpr int samples = stretches * (width - 1) + 1;  ///< of a quintic: 
 inline constexpr int traced = stretches * width;
 inline constexpr int padded = traced + width;
 
-/// Quintic with vanishing second derivative at both ends: p(u) = from + E(u)·chord + A(u)·tangent + C(u)·end_tangent.
+/// Quintic whose second derivative is `bend` where it begins and vanishes where it ends:
+/// p(u) = from + E(u)·chord + A(u)·tangent + C(u)·end_tangent + B(u)·bend.
 struct Quintic {
   float from_x, from_y;
   float chord_x, chord_y;
   float tangent_x, tangent_y;          ///< dp/du at u = 0
   float end_tangent_x, end_tangent_y;  ///< dp/du at u = 1
+  float bend_x, bend_y;                ///< d²p/du² at u = 0
   float facing;                        ///< +1: the vehicle's heading is the tangent, −1: against it
 };
 

@@ -120,10 +120,10 @@ WAYWRIGHT_INLINE Floats magnitude(Floats a) {
 
 /// Values of the quintic's basis and of its derivatives at the samples.
 struct alignas(64) Basis {
-  float e[traced], a[traced], c[traced];
-  float e1[traced], a1[traced], c1[traced];
-  float e2[traced], a2[traced], c2[traced];
-  float e3[traced], a3[traced], c3[traced];
+  float e[traced], a[traced], c[traced], b[traced];
+  float e1[traced], a1[traced], c1[traced], b1[traced];
+  float e2[traced], a2[traced], c2[traced], b2[traced];
+  float e3[traced], a3[traced], c3[traced], b3[traced];
   float weight[traced];  ///< of the trapezoidal rule over u
 };
 
@@ -138,15 +138,19 @@ constexpr Basis make_basis() {
     b.e[i] = static_cast<float>(10 * u3 - 15 * u4 + 6 * u5);
     b.a[i] = static_cast<float>(u - 6 * u3 + 8 * u4 - 3 * u5);
     b.c[i] = static_cast<float>(-4 * u3 + 7 * u4 - 3 * u5);
+    b.b[i] = static_cast<float>(0.5 * u2 - 1.5 * u3 + 1.5 * u4 - 0.5 * u5);
     b.e1[i] = static_cast<float>(30 * u2 - 60 * u3 + 30 * u4);
     b.a1[i] = static_cast<float>(1 - 18 * u2 + 32 * u3 - 15 * u4);
     b.c1[i] = static_cast<float>(-12 * u2 + 28 * u3 - 15 * u4);
+    b.b1[i] = static_cast<float>(u - 4.5 * u2 + 6 * u3 - 2.5 * u4);
     b.e2[i] = static_cast<float>(60 * u - 180 * u2 + 120 * u3);
     b.a2[i] = static_cast<float>(-36 * u + 96 * u2 - 60 * u3);
     b.c2[i] = static_cast<float>(-24 * u + 84 * u2 - 60 * u3);
+    b.b2[i] = static_cast<float>(1 - 9 * u + 18 * u2 - 10 * u3);
     b.e3[i] = static_cast<float>(60 - 360 * u + 360 * u2);
     b.a3[i] = static_cast<float>(-36 + 192 * u - 180 * u2);
     b.c3[i] = static_cast<float>(-24 + 168 * u - 180 * u2);
+    b.b3[i] = static_cast<float>(-9 + 36 * u - 30 * u2);
     const double inner = 1.0 / (samples - 1);
     b.weight[i] = static_cast<float>(i == 0 || i == samples - 1 ? 0.5 * inner : i < samples ? inner : 0.0);
   }
@@ -252,20 +256,22 @@ WAYWRIGHT_INLINE Floats peak(Floats a, Floats b, Floats c) {
   return select((b >= a) & (b > c) & (all(0.0F) > bend), top, b);
 }
 
-template <bool with_rate>
+template <bool with_rate, bool bent>
 WAYWRIGHT_INLINE void trace_all(const Quintic& q, Track& track) {
   Floats length = all(0.0F);
   for (int i = 0; i < traced; i += width) {
-    const auto sum = [i](const float* e, float chord, const float* a, float tangent, const float* c, float end) WAYWRIGHT_ALWAYS {
-      return load(e + i) * chord + load(a + i) * tangent + load(c + i) * end;
+    const auto sum = [i](const float* e, float chord, const float* a, float tangent, const float* c, float end, const float* b, float bend) WAYWRIGHT_ALWAYS {
+      const Floats straight = load(e + i) * chord + load(a + i) * tangent + load(c + i) * end;
+      if constexpr (bent) return straight + load(b + i) * bend;
+      return straight;
     };
     const Basis& b = basis;
-    store(&track.x[i], q.from_x + sum(b.e, q.chord_x, b.a, q.tangent_x, b.c, q.end_tangent_x));
-    store(&track.y[i], q.from_y + sum(b.e, q.chord_y, b.a, q.tangent_y, b.c, q.end_tangent_y));
-    const Floats x1 = sum(b.e1, q.chord_x, b.a1, q.tangent_x, b.c1, q.end_tangent_x);
-    const Floats y1 = sum(b.e1, q.chord_y, b.a1, q.tangent_y, b.c1, q.end_tangent_y);
-    const Floats x2 = sum(b.e2, q.chord_x, b.a2, q.tangent_x, b.c2, q.end_tangent_x);
-    const Floats y2 = sum(b.e2, q.chord_y, b.a2, q.tangent_y, b.c2, q.end_tangent_y);
+    store(&track.x[i], q.from_x + sum(b.e, q.chord_x, b.a, q.tangent_x, b.c, q.end_tangent_x, b.b, q.bend_x));
+    store(&track.y[i], q.from_y + sum(b.e, q.chord_y, b.a, q.tangent_y, b.c, q.end_tangent_y, b.b, q.bend_y));
+    const Floats x1 = sum(b.e1, q.chord_x, b.a1, q.tangent_x, b.c1, q.end_tangent_x, b.b1, q.bend_x);
+    const Floats y1 = sum(b.e1, q.chord_y, b.a1, q.tangent_y, b.c1, q.end_tangent_y, b.b1, q.bend_y);
+    const Floats x2 = sum(b.e2, q.chord_x, b.a2, q.tangent_x, b.c2, q.end_tangent_x, b.b2, q.bend_x);
+    const Floats y2 = sum(b.e2, q.chord_y, b.a2, q.tangent_y, b.c2, q.end_tangent_y, b.b2, q.bend_y);
     const Floats squared = x1 * x1 + y1 * y1;
     const Floats speed = root(squared);
     const Floats inverse = all(1.0F) / greater(speed, all(1e-12F));
@@ -276,8 +282,8 @@ WAYWRIGHT_INLINE void trace_all(const Quintic& q, Track& track) {
     store(&track.curvature[i], turn * inverse * inverse2);
     if constexpr (with_rate) {
       // dκ/ds = (N′ |p′|² − 3 N (p′·p″)) / |p′|⁶
-      const Floats x3 = sum(b.e3, q.chord_x, b.a3, q.tangent_x, b.c3, q.end_tangent_x);
-      const Floats y3 = sum(b.e3, q.chord_y, b.a3, q.tangent_y, b.c3, q.end_tangent_y);
+      const Floats x3 = sum(b.e3, q.chord_x, b.a3, q.tangent_x, b.c3, q.end_tangent_x, b.b3, q.bend_x);
+      const Floats y3 = sum(b.e3, q.chord_y, b.a3, q.tangent_y, b.c3, q.end_tangent_y, b.b3, q.bend_y);
       const Floats rate = (x1 * y3 - y1 * x3) * squared - turn * (x1 * x2 + y1 * y2) * 3.0F;
       store(&track.rate[i], rate * inverse2 * inverse2 * inverse2);
     }
@@ -312,7 +318,11 @@ WAYWRIGHT_INLINE void trace_all(const Quintic& q, Track& track) {
 }
 
 void trace(const Quintic& q, bool with_rate, Track& track) {
-  with_rate ? trace_all<true>(q, track) : trace_all<false>(q, track);
+  if (q.bend_x == 0.0F && q.bend_y == 0.0F) {
+    with_rate ? trace_all<true, false>(q, track) : trace_all<false, false>(q, track);
+  } else {
+    with_rate ? trace_all<true, true>(q, track) : trace_all<false, true>(q, track);
+  }
 }
 
 /// The vehicle at sixteen neighbouring samples.

@@ -1,0 +1,97 @@
+#include "waywright/planner/replan.hpp"
+
+#include <fmt/format.h>
+
+#include "numbers.hpp"
+#include "outputs.hpp"
+#include "waywright/io/plan_io.hpp"
+#include "waywright/judge/judge.hpp"
+#include "waywright/report/report.hpp"
+#include "waywright/report/words.hpp"
+
+namespace waywright::app {
+namespace {
+
+Parsed<Pose> pose_from(const char* option, const std::string& text) {
+  if (const auto v = numbers_from(text, std::array{',', ','})) return make_pose({(*v)[0], (*v)[1]}, wrap((*v)[2]));
+  return tl::unexpected{InputError{"", option, fmt::format("\"{}\" is not a pose", text), "X,Y,HEADING in metres and radians"}};
+}
+
+/// What was measured takes the place of what the scenario says.
+Parsed<void> change(const ReplanArguments& arguments, Scenario& scenario) {
+  if (!arguments.shelf.empty()) {
+    auto* station = std::get_if<Station>(&scenario.mission);
+    if (station == nullptr) return tl::unexpected{InputError{"", "--shelf", "the plan's mission is not a station", "--goal"}};
+    const auto measured = pose_from("--shelf", arguments.shelf);
+    if (!measured) return tl::unexpected{measured.error()};
+    station->shelf.center = measured->position();
+    station->shelf.heading = measured->heading;
+  }
+  if (!arguments.goal.empty()) {
+    auto* goal = std::get_if<Pose>(&scenario.mission);
+    if (goal == nullptr) return tl::unexpected{InputError{"", "--goal", "the plan's mission is a station", "--shelf"}};
+    const auto measured = pose_from("--goal", arguments.goal);
+    if (!measured) return tl::unexpected{measured.error()};
+    *goal = *measured;
+  }
+  if (!arguments.pose.empty()) {
+    const auto measured = pose_from("--pose", arguments.pose);
+    if (!measured) return tl::unexpected{measured.error()};
+    scenario.start = *measured;
+  }
+  return {};
+}
+
+}  // namespace
+
+int replan(const ReplanArguments& arguments) {
+  auto old = read_plan(arguments.plan);
+  if (!old) return complain(old.error());
+  const auto complain_of = [&](InputError error, const char* within) {
+    if (error.file.empty() && error.field.rfind("--", 0) != 0) {
+      error.file = arguments.plan.string();
+      error.field = within + error.field;
+    }
+    return complain(error);
+  };
+  auto was = Problem::prepare(old->scenario);
+  if (!was) return complain_of(was.error(), "scenario.");
+  if (was->is_driven_back()) return complain_of({"", "station.manoeuvre", "the way out of a shelf is not planned anew while it is driven", "dock"}, "scenario.");
+  // What the vehicle does is judged afresh: a file may claim anything.
+  const Plan driven = judge(*was, old->path);
+  if (driven.status != Status::solved) return complain_of({"", "path", "it is not proven: " + driven.reason, "a plan that `waywright verify` confirms"}, "");
+  const double ends = driven.samples.back().t;
+  if (!(arguments.at >= 0.0 && arguments.at < ends)) {
+    return complain({"", "--at", fmt::format("{} s is not within the plan's time", arguments.at), fmt::format("0 to less than {:.3f}", ends)});
+  }
+  const Handover now = handover_at(driven.path, driven.samples, arguments.at);
+  Scenario scenario = old->scenario;
+  scenario.start = now.pose;
+  scenario.start_motion = now.motion;
+  if (auto changed = change(arguments, scenario); !changed) return complain(changed.error());
+  const auto problem = Problem::prepare(std::move(scenario));
+  if (!problem) return complain_of(problem.error(), "scenario.");
+
+  const std::filesystem::path folder = arguments.out.value_or(default_folder(problem->scenario().name + "-replan"));
+  const bool write = !arguments.json || arguments.out;
+  if (write) {
+    if (auto ready = prepare_folder(folder); !ready) return complain(ready.error());
+  }
+  auto plan = [&] {
+    const Interruptible interruptible;
+    return waywright::replan(*problem, driven.path, now.driven, interruptible.flag());
+  }();
+  if (!plan) return complain_of(plan.error(), "");
+  plan->explanation.insert(plan->explanation.begin(),
+                           fmt::format("After {:.2f} s the vehicle has driven {:.2f} m of the old plan and moves at {:.3f} m/s with a curvature of {:.3f} 1/m.", arguments.at,
+                                       now.driven, std::abs(now.motion.speed), now.motion.curvature));
+  note_all({}, warnings(*plan));
+  if (write) {
+    if (auto written = write_plan(folder, *problem, *plan); !written) return complain(written.error());
+  }
+  const bool printed = arguments.json ? print_raw(plan_json(*plan))
+                                      : print(plan_text(*plan) + fmt::format("written: {0}/plan.json, {0}/plan.svg, {0}/report.html\n", folder.string()));
+  return plan->status == Status::solved && printed ? solved : not_solved;
+}
+
+}  // namespace waywright::app

@@ -1,0 +1,21 @@
+// May a vehicle that moves go on along a path at the speed that it has?
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "waywright/proof/proof.hpp"
+#include "waywright/speed/speed.hpp"
+
+namespace waywright {
+
+/// Share by which the speed may be over what the path allows: rounding of the profile.
+inline constexpr double entry_slack = 1e-6;
+
+/// True where the vehicle stands, or every limit can be kept along the samples from the speed that it has.
+bool can_be_entered(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace);
+
+/// The same in words.
+std::optional<Violation> check_entry(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace);
+
+}  // namespace waywright

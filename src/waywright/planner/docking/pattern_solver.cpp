@@ -1,0 +1,54 @@
+#include "waywright/planner/docking/pattern_solver.hpp"
+
+#include "waywright/judge/entry.hpp"
+
+namespace waywright {
+PatternSolver::PatternSolver(const PreparedDocking& prepared, const PatternDockingOptions& options, const Optimizer& optimizer, std::uint64_t seed)
+    : prepared_{prepared}, options_{options}, seed_{seed}, search_{prepared, options, optimizer}, sides_{&none_}, proving_{prepared.problem()} {
+  none_.resize(prepared.task().zones.size());
+}
+
+void PatternSolver::reserve() {
+  samples_.reserve(usual_samples);
+  timing_.reserve(usual_samples);
+}
+
+const SideFound* PatternSolver::solve(bool second_choice, Budget& budget) {
+  const Problem& problem = prepared_.problem();
+  sides_ = &none_;
+  in_motion_ = tried_in_motion_ = false;
+  if (const auto& motion = problem.motion(); motion && motion->direction < 0) {
+    tried_in_motion_ = in_motion_ = true;
+    const PatternEntry moving{{placement_of(problem.first_pose()), motion->curvature}, motion->speed};
+    if (const SideFound* best = best_standing(moving, options_.evaluations, true, budget)) return best;
+    in_motion_ = false;
+    if (budget.exhausted()) return nullptr;
+  }
+  const PatternEntry standing{{placement_of(problem.start())}};
+  if (const SideFound* best = best_standing(standing, options_.evaluations, second_choice, budget)) return best;
+  if (budget.limits().evaluations || budget.exhausted()) return nullptr;
+  return best_standing(standing, options_.evaluations * harder_times, second_choice, budget);
+}
+
+/// The search allows for what is between its samples by estimates; what the proof does not confirm is not offered.
+SideFound* PatternSolver::best_standing(const PatternEntry& entry, std::int64_t evaluations, bool second_choice, Budget& budget) {
+  sides_ = &search_.search(entry, evaluations, seed_, second_choice, budget);
+  while (SideFound* best = best_of(*sides_)) {
+    if (stands(prepared_.problem().whole_path(path_of(*best), in_motion_))) return best;
+    best->refused = true;
+  }
+  return nullptr;
+}
+
+bool PatternSolver::stands(const Path& whole) {
+  const Problem& problem = prepared_.problem();
+  path_ = whole;
+  proof_ = prove(problem, path_, {}, proving_);
+  if (!proof_.holds()) return false;
+  sample(path_, problem.footprint().radius(), proof_.certificate.tolerance, samples_);
+  return can_be_entered(problem, samples_, timing_);
+}
+
+Path path_of(const SideFound& side) { return pattern_path(splines_of(side.pattern)); }
+
+}  // namespace waywright

@@ -1,0 +1,54 @@
+// The docking pattern that stands: searched on both sides, proven, searched harder where nothing fits; from a vehicle that moves already
+// without stopping where that goes. One run at a time, in memory that is kept: nothing is allocated while solving.
+#pragma once
+
+#include <vector>
+
+#include "waywright/planner/docking/pattern_search.hpp"
+#include "waywright/proof/proof.hpp"
+#include "waywright/speed/speed.hpp"
+
+namespace waywright {
+
+class PatternSolver {
+ public:
+  static constexpr std::size_t usual_samples = 4096;  ///< of a path of some 150 m
+  /// @pre all three outlive this
+  PatternSolver(const PreparedDocking& prepared, const PatternDockingOptions& options, const Optimizer& optimizer, std::uint64_t seed);
+
+  /// Room for a usual path, so that no plan has to ask for it.
+  void reserve();
+  /// The side whose pattern stands; nullptr where none does. `second_choice`: a part of the budget's evaluations is kept for one.
+  const SideFound* solve(bool second_choice, Budget& budget);
+  /// Does this whole path stand, the vehicle's motion at its beginning included? Then path, proof and samples are its own.
+  bool stands(const Path& whole);
+
+  /// Of the last run or path:
+  const std::vector<SideFound>& sides() const { return *sides_; }  ///< what came of each, in the order of the task's zones
+  bool in_motion() const { return in_motion_; }         ///< the pattern begins while the vehicle moves
+  bool tried_in_motion() const { return tried_in_motion_; }
+  const Path& path() const { return path_; }            ///< the whole mission's, where one stands
+  const Proof& proof() const { return proof_; }         ///< its proof
+  std::vector<Sample>& samples() { return samples_; }   ///< its samples, without t and speed
+
+ private:
+  SideFound* best_standing(const PatternEntry& entry, std::int64_t evaluations, bool second_choice, Budget& budget);
+
+  const PreparedDocking& prepared_;
+  const PatternDockingOptions& options_;
+  std::uint64_t seed_;
+  PatternSearch search_;
+  std::vector<SideFound>* sides_ = nullptr;
+  std::vector<SideFound> none_;
+  bool in_motion_ = false, tried_in_motion_ = false;
+  ProofWorkspace proving_;
+  SpeedWorkspace timing_;
+  Path path_;
+  Proof proof_;
+  std::vector<Sample> samples_;
+};
+
+/// The path that a planner offers for a side: back, then forth.
+Path path_of(const SideFound& side);
+
+}  // namespace waywright

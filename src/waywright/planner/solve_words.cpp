@@ -1,0 +1,40 @@
+#include "waywright/planner/solve_words.hpp"
+
+#include <fmt/format.h>
+
+namespace waywright {
+
+std::string proof_sentence(const Problem& problem, const Plan& plan) {
+  const Certificate& c = plan.certificate;
+  const bool is_measured = c.tightest && !c.tightest_obstacle.empty();
+  std::string text = is_measured ? fmt::format("Proven along the whole motion: the footprint keeps at least {:.4f} m from everything", c.clearance)
+                                 : fmt::format("Proven along the whole motion: nothing is nearer to the footprint than {:.4f} m", c.clearance);
+  if (problem.pose_error_margin() > 0.0) {
+    text += fmt::format(" at every pose within the pose error (which takes {:.4f} m)", problem.pose_error_margin());
+  }
+  if (is_measured) {
+    text += fmt::format("; it is tightest against {} at ({:.2f}, {:.2f})", c.tightest_obstacle, c.tightest_point.x,
+                        c.tightest_point.y);
+  }
+  return text + ".";
+}
+
+void explain_mission(const Problem& problem, const Plan& plan, std::vector<std::string>& text) {
+  const Scenario& scenario = problem.scenario();
+  if (problem.is_driven_back()) {
+    text.insert(text.begin(), "The way out was planned as the way of docking from the last pose, and is driven back.");
+  }
+  if (!scenario.carried_load.empty()) {
+    text.push_back(fmt::format("The load \"{}\" is carried all the way and belongs to the footprint{}.", scenario.carried_load,
+                               problem.pocket() ? "; only between the docked pose and the forks' place in the shelf it may overlap the shelf" : ""));
+  }
+  if (problem.pocket() && plan.certificate.pocket_clearance && plan.certificate.collision_free) {
+    const Insertion& insertion = *std::get<Station>(scenario.mission).insertion;
+    text.push_back(fmt::format("The forks move straight for {:.2f} m, to {:.2f} m behind the shelf's face; no more than they enter the shelf, and they keep at least "
+                               "{:.4f} m from its parts beside the pockets at every pose within the pose error.",
+                               distance(problem.pocket()->outer.position(), problem.pocket()->inner.position()), insertion.depth,
+                               *plan.certificate.pocket_clearance));
+  }
+}
+
+}  // namespace waywright

@@ -1,0 +1,18 @@
+// What every plan's explanation says of its mission and its proof.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "waywright/judge/plan.hpp"
+#include "waywright/scenario/problem.hpp"
+
+namespace waywright {
+
+/// What was proven. @pre the plan is solved
+std::string proof_sentence(const Problem& problem, const Plan& plan);
+
+/// What the mission adds to what the planner was asked.
+void explain_mission(const Problem& problem, const Plan& plan, std::vector<std::string>& text);
+
+}  // namespace waywright
