@@ -13,8 +13,11 @@ struct Piece {
   int direction = 1;
 };
 
+/// As many as a docking pattern has with the stretch into a pocket need no memory of their own.
+using Pieces = boost::container::small_vector<Piece, 3>;
+
 struct Path {
-  std::vector<Piece> pieces;
+  Pieces pieces;
 };
 
 /// One row of the plan file's samples. Where direction changes a pose stands twice, at the same s.
