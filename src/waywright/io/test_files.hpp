@@ -170,7 +170,7 @@ class Fingerprint {
             m.travel_time);
     const Certificate& c = p.certificate;
     add_all(c.collision_free, c.clearance, c.tolerance, c.checked_length, c.tightest, c.tightest_point,
-            c.tightest_obstacle);
+            p.tightest_obstacle);
     add_all(p.explanation, p.alternatives);
   }
 

@@ -60,11 +60,16 @@ inline constexpr std::size_t most_samples = 500'000;
 /// How many samples the path needs for what `sample` promises (an upper bound); +∞ where a curve has a cusp.
 double samples_needed(const Path& path, double radius, double tolerance, double step = 0.05);
 
+/// Whether these are at most `most_samples`; cheap where they are far fewer.
+bool can_be_sampled(const Path& path, double radius, double tolerance, double step = 0.05);
+
 /// Samples at most `step` metres and `step` radians apart, and so dense that straight interpolation of the poses stays
 /// within `tolerance` of the true motion for every point at most `radius` from the vehicle's origin, by bounds of curvature and its
 /// rate. Every joint of curves has a sample, two where curvature jumps. Where more than most_samples are needed, all steps are wider.
 /// First = start, last = end; t and speed are left at 0 (speed/ fills them).
 std::vector<Sample> sample(const Path& path, double radius, double tolerance, double step = 0.05);
+/// The same into `samples`, whose memory is reused.
+void sample(const Path& path, double radius, double tolerance, double step, std::vector<Sample>& samples);
 
 /// Places i where the vehicle must stand still between samples i−1 and i (same s): direction changes, turns on the spot.
 bool is_direction_change(const Sample& before, const Sample& after);
