@@ -151,7 +151,8 @@ void proof_sampling(benchmark::State& state, Clutter clutter) {
 void proof_ours(benchmark::State& state, Clutter clutter) {
   const Setting& s = setting(clutter);
   const Path& path = docking_path(s);
-  for (auto _ : state) benchmark::DoNotOptimize(prove(s.problem, path).certificate.clearance);
+  ProofWorkspace workspace{s.problem};
+  for (auto _ : state) benchmark::DoNotOptimize(prove(s.problem, path, {}, workspace).certificate.clearance);
 }
 void proof_sampling_ours(benchmark::State& state, Clutter clutter) {
   const Setting& s = setting(clutter);

@@ -42,11 +42,10 @@ Verdicts compare(Clutter clutter, std::uint64_t seed, int count) {
       ADD_FAILURE() << "candidate " << i << " was called free and hits at pose " << plain.first_hit;
     } else {
       // Plain looks at poses only. The proof's clearance of the whole motion tells who is right.
-      std::vector<MotionInterval> motion;
-      for (const Piece& piece : pattern_path(splines_of(pattern)).pieces) {
-        for (MotionInterval& interval : MotionInterval::of(piece)) motion.push_back(std::move(interval));
-      }
-      const SweptClearance swept = swept_clearance(problem.world(), problem.vehicle().footprint, motion, {.tolerance = 1e-5});
+      const Motion motion{pattern_path(splines_of(pattern))};
+      SweepMemory memory;
+      const SweptClearance swept =
+          swept_clearance(problem.world(), SweptBody{problem.vehicle().footprint}, motion.intervals(), {.tolerance = 1e-5}, memory);
       if (swept.upper <= problem.required_clearance()) {
         ++verdicts.missed;
       } else {

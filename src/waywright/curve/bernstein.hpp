@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 
 namespace waywright {
 
@@ -32,10 +31,11 @@ inline constexpr auto binomials = [] {
 inline Bernstein operator*(const Bernstein& a, const Bernstein& b) {
   Bernstein product;
   product.degree = a.degree + b.degree;
+  std::array<double, Bernstein::capacity> weighted{};
+  for (std::size_t j = 0; j <= b.degree; ++j) weighted[j] = binomials[b.degree][j] * b.c[j];
   for (std::size_t i = 0; i <= a.degree; ++i) {
-    for (std::size_t j = 0; j <= b.degree; ++j) {
-      product.c[i + j] += binomials[a.degree][i] * binomials[b.degree][j] * a.c[i] * b.c[j];
-    }
+    const double factor = binomials[a.degree][i] * a.c[i];
+    for (std::size_t j = 0; j <= b.degree; ++j) product.c[i + j] += factor * weighted[j];
   }
   for (std::size_t k = 0; k <= product.degree; ++k) product.c[k] /= binomials[product.degree][k];
   return product;
@@ -59,9 +59,8 @@ inline Bernstein derivative(const Bernstein& a) {
 }
 
 /// The same polynomial on [0, ½] and on [½, 1].
-inline std::pair<Bernstein, Bernstein> halve(const Bernstein& a) {
-  Bernstein left{a.degree, {}};
-  Bernstein right{a.degree, {}};
+inline void halve(const Bernstein& a, Bernstein& left, Bernstein& right) {
+  left.degree = right.degree = a.degree;
   auto c = a.c;
   left.c[0] = c[0];
   right.c[a.degree] = c[a.degree];
@@ -70,7 +69,6 @@ inline std::pair<Bernstein, Bernstein> halve(const Bernstein& a) {
     left.c[level] = c[0];
     right.c[a.degree - level] = c[a.degree - level];
   }
-  return {left, right};
 }
 
 }  // namespace waywright

@@ -14,16 +14,26 @@ constexpr std::array<double, 8> gauss_weight{0.1894506104550684963, 0.1826034150
                                              0.1495959888165767321, 0.1246289712555338720, 0.0951585116824927848,
                                              0.0622535239386478929, 0.0271524594117540949};
 
-constexpr int table_parts = 32;
-
-Vec2 de_casteljau(std::array<Vec2, 6> points, int degree, double u) {
-  for (int level = degree; level > 0; --level) {
-    for (int i = 0; i < level; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      points[k] = points[k] + u * (points[k + 1] - points[k]);
-    }
+/// De Casteljau's algorithm level by level, without loops.
+template <std::size_t... i>
+Vec2 de_casteljau(const Vec2* points, double u, std::index_sequence<i...>) {
+  if constexpr (sizeof...(i) == 0) {
+    return points[0];
+  } else {
+    const std::array<Vec2, sizeof...(i)> next{(points[i] + u * (points[i + 1] - points[i]))...};
+    return de_casteljau(next.data(), u, std::make_index_sequence<sizeof...(i) - 1>{});
   }
-  return points[0];
+}
+
+Vec2 de_casteljau(const std::array<Vec2, 6>& points, int degree, double u) {
+  switch (degree) {
+    case 1: return de_casteljau(points.data(), u, std::make_index_sequence<1>{});
+    case 2: return de_casteljau(points.data(), u, std::make_index_sequence<2>{});
+    case 3: return de_casteljau(points.data(), u, std::make_index_sequence<3>{});
+    case 4: return de_casteljau(points.data(), u, std::make_index_sequence<4>{});
+    case 5: return de_casteljau(points.data(), u, std::make_index_sequence<5>{});
+    default: return points[0];
+  }
 }
 
 /// Control points of the derivative, degree one less.
@@ -36,19 +46,19 @@ std::array<Vec2, 6> hodograph(const std::array<Vec2, 6>& points, int degree) {
   return d;
 }
 
-double speed(const BezierSpan& span, double u) {
-  return norm(de_casteljau(hodograph(span.control, span.degree), span.degree - 1, u));
-}
-
-double gauss(const BezierSpan& span, double a, double b) {
+/// Length of the span with this derivative over [a, b].
+double gauss(const BezierSpan& derivative, double a, double b) {
   const double half = 0.5 * (b - a);
   const double middle = 0.5 * (a + b);
+  const auto speed = [&](double u) { return norm(de_casteljau(derivative.control, derivative.degree, u)); };
   double sum = 0.0;
   for (std::size_t i = 0; i < gauss_node.size(); ++i) {
-    sum += gauss_weight[i] * (speed(span, middle - half * gauss_node[i]) + speed(span, middle + half * gauss_node[i]));
+    sum += gauss_weight[i] * (speed(middle - half * gauss_node[i]) + speed(middle + half * gauss_node[i]));
   }
   return half * sum;
 }
+
+BezierSpan derivative_of(const BezierSpan& span) { return {span.degree - 1, hodograph(span.control, span.degree)}; }
 
 /// Solves the tridiagonal system with diagonal 2(h[i−1]+h[i]) for the second derivatives inside (Thomas).
 std::vector<Vec2> natural_second_derivatives(std::span<const Vec2> points, const std::vector<double>& h) {
@@ -133,24 +143,29 @@ std::pair<BezierSpan, BezierSpan> halve(const BezierSpan& span) {
 
 double arc_length(const BezierSpan& span, double u0, double u1, int parts) {
   if (span.degree == 1) return (u1 - u0) * distance(span.control[0], span.control[1]);
+  const BezierSpan derivative = derivative_of(span);
   double sum = 0.0;
   for (int i = 0; i < parts; ++i) {
     const double a = u0 + (u1 - u0) * i / parts;
     const double b = u0 + (u1 - u0) * (i + 1) / parts;
-    sum += gauss(span, a, b);
+    sum += gauss(derivative, a, b);
   }
   return sum;
 }
 
-ArcLengthTable::ArcLengthTable(const BezierSpan& span) : span_{span} {
-  cumulative_.push_back(0.0);
+double control_length(const BezierSpan& span) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(span.degree); ++i) sum += distance(span.control[i], span.control[i + 1]);
+  return sum;
+}
+
+ArcLengthTable::ArcLengthTable(const BezierSpan& span) : derivative_{derivative_of(span)} {
   if (span.degree == 1) {
-    cumulative_.push_back(distance(span.control[0], span.control[1]));
+    cumulative_.back() = distance(span.control[0], span.control[1]);
     return;
   }
-  for (int i = 0; i < table_parts; ++i) {
-    cumulative_.push_back(cumulative_.back() + gauss(span, static_cast<double>(i) / table_parts,
-                                                     static_cast<double>(i + 1) / table_parts));
+  for (std::size_t i = 0; i < parts; ++i) {
+    cumulative_[i + 1] = cumulative_[i] + gauss(derivative_, static_cast<double>(i) / parts, static_cast<double>(i + 1) / parts);
   }
 }
 
@@ -158,20 +173,20 @@ double ArcLengthTable::parameter(double s) const {
   const double total = length();
   if (!(s > 0.0) || !(total > 0.0)) return 0.0;
   if (s >= total) return 1.0;
-  if (span_.degree == 1) return s / total;
+  if (derivative_.degree == 0) return s / total;
   const auto upper = std::upper_bound(cumulative_.begin(), cumulative_.end(), s);
   const auto part = static_cast<std::size_t>(upper - cumulative_.begin()) - 1;
-  const double low = static_cast<double>(part) / table_parts;
-  const double high = static_cast<double>(part + 1) / table_parts;
+  const double low = static_cast<double>(part) / parts;
+  const double high = static_cast<double>(part + 1) / parts;
   const double rest = s - cumulative_[part];
   double a = low;
   double b = high;
   double u = low + (high - low) * rest / (cumulative_[part + 1] - cumulative_[part]);
   for (int i = 0; i < 30; ++i) {  // Newton, kept inside a shrinking bracket
-    const double error = gauss(span_, low, u) - rest;
+    const double error = gauss(derivative_, low, u) - rest;
     if (std::abs(error) <= 1e-14 * total) break;
     (error > 0.0 ? b : a) = u;
-    const double v = speed(span_, u);
+    const double v = norm(de_casteljau(derivative_.control, derivative_.degree, u));
     double next = v > 0.0 ? u - error / v : 0.5 * (a + b);
     if (!(next > a && next < b)) next = 0.5 * (a + b);
     if (next == u) break;
@@ -197,10 +212,10 @@ BezierSpan straight_ending_quintic(Vec2 p0, Vec2 d0, double start_curvature, Vec
 
 BezierSpan straight_span(Vec2 from, Vec2 to) { return {1, {from, to}}; }
 
-std::vector<BezierSpan> natural_cubic(std::span<const Vec2> points) {
+Spans natural_cubic(std::span<const Vec2> points) {
   const std::vector<double> h = chords(points);
   const std::vector<Vec2> m = natural_second_derivatives(points, h);
-  std::vector<BezierSpan> spans;
+  Spans spans;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const Vec2 slope = (1.0 / h[i]) * (points[i + 1] - points[i]);
     const Vec2 d0 = slope - (h[i] / 6.0) * (2.0 * m[i] + m[i + 1]);
@@ -210,7 +225,7 @@ std::vector<BezierSpan> natural_cubic(std::span<const Vec2> points) {
   return spans;
 }
 
-std::vector<BezierSpan> clamped_cubic(std::span<const Vec2> points, double start_course, double end_course) {
+Spans clamped_cubic(std::span<const Vec2> points, double start_course, double end_course) {
   const std::vector<double> h = chords(points);
   const std::size_t n = points.size();
   // First derivatives v: h[i] v[i−1] + 2(h[i−1]+h[i]) v[i] + h[i−1] v[i+1] = 3 (h[i] s[i−1] + h[i−1] s[i]).
@@ -229,7 +244,7 @@ std::vector<BezierSpan> clamped_cubic(std::span<const Vec2> points, double start
     right[i] = 3.0 * (h[i] * before + h[i - 1] * after) - factor * right[i - 1];
   }
   for (std::size_t i = n - 1; i-- > 1;) v[i] = (1.0 / diagonal[i]) * (right[i] - upper[i] * v[i + 1]);
-  std::vector<BezierSpan> spans;
+  Spans spans;
   for (std::size_t i = 0; i + 1 < n; ++i) spans.push_back(cubic_hermite(points[i], h[i] * v[i], points[i + 1], h[i] * v[i + 1]));
   return spans;
 }

@@ -2,6 +2,7 @@
 // same point set; hull and tangent cone as in curve.hpp.
 #pragma once
 
+#include <array>
 #include <span>
 #include <utility>
 #include <vector>
@@ -28,6 +29,9 @@ BezierSpan rest_from(const BezierSpan& span, double u);
 /// Arc length over [u0, u1] by 16-point Gauss–Legendre on `parts` equal parts.
 double arc_length(const BezierSpan& span, double u0 = 0.0, double u1 = 1.0, int parts = 4);
 
+/// Length of the control polygon: at least the arc length.
+double control_length(const BezierSpan& span);
+
 /// Arc length to parameter for one span: built once, asked many times.
 class ArcLengthTable {
  public:
@@ -37,8 +41,9 @@ class ArcLengthTable {
   double parameter(double s) const;
 
  private:
-  BezierSpan span_;
-  std::vector<double> cumulative_;  ///< at u = i / (size − 1)
+  static constexpr std::size_t parts = 32;
+  BezierSpan derivative_;                       ///< of degree 0 where the span is straight
+  std::array<double, parts + 1> cumulative_{};  ///< at u = i / parts; of a straight span only the last counts
 };
 
 /// Cubic Hermite data to a Bézier span of degree 3: end points and derivatives with respect to u.
@@ -56,9 +61,9 @@ BezierSpan straight_span(Vec2 from, Vec2 to);
 
 /// C² interpolating cubic through the points with chord-length parameter and natural ends (second derivative 0), as Bézier
 /// spans. @pre at least 2 points, neighbours distinct. Source: docking publication, Algorithm 2, corrected.
-std::vector<BezierSpan> natural_cubic(std::span<const Vec2> points);
+Spans natural_cubic(std::span<const Vec2> points);
 
 /// The same with clamped ends: unit tangents of the given courses at both ends.
-std::vector<BezierSpan> clamped_cubic(std::span<const Vec2> points, double start_course, double end_course);
+Spans clamped_cubic(std::span<const Vec2> points, double start_course, double end_course);
 
 }  // namespace waywright

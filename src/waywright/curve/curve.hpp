@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <variant>
 #include <vector>
 
@@ -38,10 +39,13 @@ enum class SplineKind {
   quintic,        ///< quintic with zero curvature at both ends (our pattern)
 };
 
+/// As many as a docking pattern's spline has need no memory of their own.
+using Spans = boost::container::small_vector<BezierSpan, 3>;
+
 /// A smooth chain of Bézier spans.
 struct Spline {
   SplineKind kind = SplineKind::quintic;
-  std::vector<BezierSpan> spans;
+  Spans spans;
 };
 
 /// Turning on the spot by `angle` (left positive), from vehicle heading `from`.

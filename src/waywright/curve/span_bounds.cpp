@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
-#include <vector>
 
 namespace waywright {
 namespace {
@@ -13,8 +11,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double unit_roundoff = 0x1p-53;
 constexpr double rounding = 1e-12;  // of quotients and roots
 constexpr int deepest = 40;         // halvings: only a cusp gets there
-constexpr double share = 0.05;      // by which a peak's bound may be over it
-constexpr double least = 0.01;      // 1/m and 1/m²: smaller differences do not matter to anyone
+
+/// By how much a peak's bound may be over it: a share of it, or so many 1/m or 1/m².
+struct Sharpness {
+  double share, least;
+};
+constexpr Sharpness fine{0.05, 0.01};
+constexpr Sharpness coarse{20.0, 5.0};
 
 Bernstein coordinate(const BezierSpan& span, double Vec2::*axis) {
   Bernstein b;
@@ -25,102 +28,110 @@ Bernstein coordinate(const BezierSpan& span, double Vec2::*axis) {
 
 double greatest(const Bernstein& b) { return std::max(std::abs(b.low()), std::abs(b.high())); }
 
-/// Greatest of a quantity by branch and bound; `at` is its value at the beginning of a part.
-template <class Bound, class At>
-double peak(const SpanBounds& whole, Bound bound, At at) {
-  struct Part {
-    SpanBounds bounds;
-    int depth;
-  };
-  std::vector<Part> stack{{whole, 0}};
-  double found = 0.0;
-  double top = 0.0;
-  while (!stack.empty()) {
-    const Part part = stack.back();
-    stack.pop_back();
-    const double b = bound(part.bounds);
-    found = std::max(found, at(part.bounds));
-    if (b <= std::max(top, found * (1.0 + share) + least)) {
-      top = std::max(top, b);
-      continue;
+/// Greatest of a quantity by branch and bound.
+template <class Bounds>
+class Peak {
+ public:
+  explicit Peak(const Sharpness& sharpness) : sharpness_{sharpness} {}
+  /// +∞ where there is none.
+  double of(const Bounds& whole) { return covers(whole, 0) ? top_ : infinity; }
+
+ private:
+  bool covers(const Bounds& part, int depth) {
+    const double bound = part.greatest();
+    found_ = std::max(found_, part.at_begin());
+    if (bound <= std::max(top_, found_ * (1.0 + sharpness_.share) + sharpness_.least)) {
+      top_ = std::max(top_, bound);
+      return true;
     }
-    if (part.depth >= deepest) return infinity;
-    auto [left, right] = part.bounds.halves();
-    stack.push_back({std::move(right), part.depth + 1});
-    stack.push_back({std::move(left), part.depth + 1});
+    if (depth >= deepest) return false;
+    Bounds left, right;
+    part.halve(left, right);
+    return covers(left, depth + 1) && covers(right, depth + 1);
   }
-  return top;
+
+  Sharpness sharpness_;
+  double found_ = 0.0;
+  double top_ = 0.0;
+};
+
+CurvaturePeaks peaks_of(const BezierSpan& span, const Sharpness& sharpness) {
+  if (span.degree < 2) return {};
+  const CurvatureBounds whole{span};
+  const double curvature = Peak<CurvatureBounds>{sharpness}.of(whole);
+  if (!std::isfinite(curvature)) return {infinity, infinity};
+  return {curvature, Peak<CurvatureRateBounds>{sharpness}.of(CurvatureRateBounds{whole})};
 }
 
 }  // namespace
 
 double BoundedPolynomial::greatest() const { return std::max(std::abs(low()), std::abs(high())); }
 
-std::pair<BoundedPolynomial, BoundedPolynomial> BoundedPolynomial::halves(double scale) const {
-  auto [left, right] = halve(p);
-  for (double& c : left.c) c *= scale;
-  for (double& c : right.c) c *= scale;
+void BoundedPolynomial::halve(double scale, BoundedPolynomial& left, BoundedPolynomial& right) const {
+  waywright::halve(p, left.p, right.p);
+  for (std::size_t i = 0; i <= p.degree; ++i) {
+    left.p.c[i] *= scale;
+    right.p.c[i] *= scale;
+  }
   // Each of at most 16 levels of averaging rounds once.
-  const double grown = (error + 16.0 * unit_roundoff * waywright::greatest(p)) * scale;
-  return {{left, grown}, {right, grown}};
+  left.error = right.error = (error + 16.0 * unit_roundoff * waywright::greatest(p)) * scale;
 }
 
-SpanBounds::SpanBounds(const BezierSpan& span) {
+CurvatureBounds::CurvatureBounds(const BezierSpan& span) {
   const Bernstein dx = derivative(coordinate(span, &Vec2::x));
   const Bernstein dy = derivative(coordinate(span, &Vec2::y));
   turn.p = combine(1.0, dx * derivative(dy), -1.0, dy * derivative(dx));
   speed2.p = combine(1.0, dx * dx, 1.0, dy * dy);
-  rate.p = combine(1.0, derivative(turn.p) * speed2.p, -1.5, turn.p * derivative(speed2.p));
   // The differences dx, dy are right to 2 units in the last place. A product adds at most 32 units of the
   // greatest product of coefficients (its weights sum to 1); second derivatives are at most 8 times the
   // first, with 24 units of theirs as error.
-  const double g = std::max(greatest(dx), greatest(dy));
-  const double n = greatest(turn.p);
-  const double d = greatest(speed2.p);
+  const double g = std::max(waywright::greatest(dx), waywright::greatest(dy));
   turn.error = 1024.0 * unit_roundoff * g * g;
   speed2.error = 128.0 * unit_roundoff * g * g;
-  rate.error = 64.0 * (turn.error * d + n * speed2.error + 32.0 * unit_roundoff * n * d);
 }
 
-std::pair<SpanBounds, SpanBounds> SpanBounds::halves() const {
-  // On half the parameter range: N scales with u′³ (1/8), D with 1/4, M with (1/8·1/2)(1/4) = 1/64.
-  SpanBounds left, right;
-  std::tie(left.turn, right.turn) = turn.halves(0.125);
-  std::tie(left.speed2, right.speed2) = speed2.halves(0.25);
-  std::tie(left.rate, right.rate) = rate.halves(1.0 / 64.0);
-  return {left, right};
+// On half the parameter range: N scales with u′³ (1/8), D with 1/4, M with (1/8·1/2)(1/4) = 1/64.
+void CurvatureBounds::halve(CurvatureBounds& left, CurvatureBounds& right) const {
+  turn.halve(0.125, left.turn, right.turn);
+  speed2.halve(0.25, left.speed2, right.speed2);
 }
 
-double SpanBounds::curvature() const {
+double CurvatureBounds::greatest() const {
   const double d = speed2.low();
   if (!(d > 0.0)) return infinity;
   return turn.greatest() / (d * std::sqrt(d)) * (1.0 + rounding);
 }
 
-double SpanBounds::curvature_rate() const {
+double CurvatureBounds::at_begin() const {
+  const double d = speed2.p.c[0];
+  return d > 0.0 ? std::abs(turn.p.c[0]) / (d * std::sqrt(d)) : 0.0;
+}
+
+CurvatureRateBounds::CurvatureRateBounds(const CurvatureBounds& curvature) : speed2{curvature.speed2} {
+  const BoundedPolynomial& turn = curvature.turn;
+  rate.p = combine(1.0, derivative(turn.p) * speed2.p, -1.5, turn.p * derivative(speed2.p));
+  const double n = waywright::greatest(turn.p);
+  const double d = waywright::greatest(speed2.p);
+  rate.error = 64.0 * (turn.error * d + n * speed2.error + 32.0 * unit_roundoff * n * d);
+}
+
+void CurvatureRateBounds::halve(CurvatureRateBounds& left, CurvatureRateBounds& right) const {
+  rate.halve(1.0 / 64.0, left.rate, right.rate);
+  speed2.halve(0.25, left.speed2, right.speed2);
+}
+
+double CurvatureRateBounds::greatest() const {
   const double d = speed2.low();
   if (!(d > 0.0)) return infinity;
   return rate.greatest() / (d * d * d) * (1.0 + rounding);
 }
 
-CurvaturePeaks curvature_peaks(const BezierSpan& span) {
-  if (span.degree < 2) return {};
-  const SpanBounds whole{span};
-  CurvaturePeaks peaks;
-  peaks.curvature = peak(
-      whole, [](const SpanBounds& b) { return b.curvature(); },
-      [](const SpanBounds& b) {
-        const double d = b.speed2.p.c[0];
-        return d > 0.0 ? std::abs(b.turn.p.c[0]) / (d * std::sqrt(d)) : 0.0;
-      });
-  if (!std::isfinite(peaks.curvature)) return {infinity, infinity};
-  peaks.rate = peak(
-      whole, [](const SpanBounds& b) { return b.curvature_rate(); },
-      [](const SpanBounds& b) {
-        const double d = b.speed2.p.c[0];
-        return d > 0.0 ? std::abs(b.rate.p.c[0]) / (d * d * d) : 0.0;
-      });
-  return peaks;
+double CurvatureRateBounds::at_begin() const {
+  const double d = speed2.p.c[0];
+  return d > 0.0 ? std::abs(rate.p.c[0]) / (d * d * d) : 0.0;
 }
+
+CurvaturePeaks curvature_peaks(const BezierSpan& span) { return peaks_of(span, fine); }
+CurvaturePeaks coarse_curvature_peaks(const BezierSpan& span) { return peaks_of(span, coarse); }
 
 }  // namespace waywright

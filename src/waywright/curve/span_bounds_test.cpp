@@ -26,6 +26,9 @@ TEST(SpanBounds, PeaksAreOverEverySampleAndHardlyMore) {
     }
     EXPECT_GE(peaks.curvature, curvature * (1.0 - 1e-9));
     EXPECT_GE(peaks.rate, rate * (1.0 - 1e-9));
+    const CurvaturePeaks coarse = coarse_curvature_peaks(span);
+    EXPECT_GE(coarse.curvature, curvature * (1.0 - 1e-9));
+    EXPECT_GE(coarse.rate, rate * (1.0 - 1e-9));
     if (!std::isfinite(peaks.rate) || curvature > 100.0)
       continue;  // samples step over peaks narrower than they are apart
     ++finite;
@@ -45,11 +48,12 @@ TEST(SpanBounds, ThereIsNoBoundWhereTheSpeedVanishes) {
     BezierSpan span{2, {Vec2{0, 0}, {-0.5 * slope * root, -0.5 * side * slope * root}, {end, side * end}}};
     EXPECT_TRUE(std::isinf(curvature_peaks(span).curvature)) << root;
     // However often it is halved towards the root.
-    SpanBounds part{span};
+    CurvatureBounds part{span};
     double low = 0.0, width = 1.0;
     for (int k = 0; k < 60; ++k) {
-      EXPECT_TRUE(std::isinf(part.curvature())) << root << ' ' << k;
-      auto [left, right] = part.halves();
+      EXPECT_TRUE(std::isinf(part.greatest())) << root << ' ' << k;
+      CurvatureBounds left, right;
+      part.halve(left, right);
       width *= 0.5;
       const bool in_right = root >= low + width;
       part = in_right ? right : left;

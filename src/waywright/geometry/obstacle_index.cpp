@@ -22,8 +22,8 @@ void grow(Box& box, const Box& other) {
 }
 
 double squared_gap(const Box& a, const Box& b) {
-  const double dx = std::max({0.0, a.low.x - b.high.x, b.low.x - a.high.x});
-  const double dy = std::max({0.0, a.low.y - b.high.y, b.low.y - a.high.y});
+  const double dx = std::max(std::max(0.0, a.low.x - b.high.x), b.low.x - a.high.x);
+  const double dy = std::max(std::max(0.0, a.low.y - b.high.y), b.low.y - a.high.y);
   return dx * dx + dy * dy;
 }
 
@@ -75,34 +75,27 @@ Candidate segment_to_segment(Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1) {
 class Outline {
  public:
   explicit Outline(std::span<const Vec2> ring) : ring_{ring}, edges_{ring.size() < 3 ? ring.size() - 1 : ring.size()} {
-    if (edges_ > capacity) large_.resize(edges_);
-    Edge* e = data();
+    for (std::size_t i = 0; i < std::min(edges_, capacity); ++i) ready_[i] = make_edge(i);
     convex_ = ring.size() >= 3;
-    for (std::size_t i = 0; i < edges_; ++i) {
-      const Vec2 a = ring[i];
-      const Vec2 d = ring[(i + 1) % ring.size()] - a;
-      const double length2 = squared_norm(d);
-      e[i] = {a, d, length2 > 0.0 ? 1.0 / length2 : 0.0};
-    }
-    for (std::size_t i = 0; convex_ && i < edges_; ++i) convex_ = cross(e[i].d, e[(i + 1) % edges_].d) >= 0.0;
+    for (std::size_t i = 0; convex_ && i < edges_; ++i) convex_ = cross(edge(i).d(), edge(next(i)).d()) >= 0.0;
   }
 
   /// Squared distance of a point to the area; 0 inside.
   double squared_distance(Vec2 q) const {
     if (edges_ == 0) return squared_norm(q - ring_[0]);
-    const Edge* e = data();
     double best = std::numeric_limits<double>::infinity();
     bool left_of_all = convex_;
     bool odd = false;
     for (std::size_t i = 0; i < edges_; ++i) {
-      const Vec2 r = q - e[i].a;
-      const double along = std::clamp(dot(r, e[i].d) * e[i].inverse, 0.0, 1.0);
-      best = std::min(best, squared_norm(r - along * e[i].d));
+      const Edge e = edge(i);
+      const Vec2 d = e.d();
+      const Vec2 r = q - e.a();
+      const double along = std::clamp(dot(r, d) * e.inverse, 0.0, 1.0);
+      best = std::min(best, squared_norm(r - along * d));
       if (convex_) {
-        left_of_all = left_of_all && cross(e[i].d, r) >= 0.0;
+        left_of_all = left_of_all && cross(d, r) >= 0.0;
       } else if (edges_ > 2) {
-        const Vec2 b = e[i].a + e[i].d;
-        if ((e[i].a.y > q.y) != (b.y > q.y) && (r.x * e[i].d.y < r.y * e[i].d.x) == (e[i].d.y > 0.0)) odd = !odd;
+        if ((e.a().y > q.y) != (e.b().y > q.y) && (r.x * d.y < r.y * d.x) == (d.y > 0.0)) odd = !odd;
       }
     }
     return left_of_all || odd ? 0.0 : best;
@@ -114,10 +107,10 @@ class Outline {
     if (s.a == s.b || c.squared == 0.0) return c;
     if (const double at_b = squared_distance(s.b); at_b < c.squared) c = {at_b, s.b};
     if (c.squared == 0.0) return c;
-    const Edge* e = data();
     for (std::size_t i = 0; i < edges_; ++i) {
-      if (!cross_each_other(e[i].a, e[i].a + e[i].d, s.a, s.b)) continue;
-      return segment_to_segment(e[i].a, e[i].a + e[i].d, s.a, s.b);
+      const Edge e = edge(i);
+      if (!cross_each_other(e.a(), e.b(), s.a, s.b)) continue;
+      return segment_to_segment(e.a(), e.b(), s.a, s.b);
     }
     const Vec2 d = s.b - s.a;
     const double inverse = 1.0 / squared_norm(d);
@@ -130,18 +123,27 @@ class Outline {
 
  private:
   struct Edge {
-    Vec2 a{}, d{};
-    double inverse = 0.0;
+    double from_x, from_y, along_x, along_y, inverse;  // not set to 0 beforehand: that would take longer than making some
+    Vec2 a() const { return {from_x, from_y}; }
+    Vec2 d() const { return {along_x, along_y}; }
+    Vec2 b() const { return a() + d(); }
   };
   static constexpr std::size_t capacity = 24;
-  const Edge* data() const { return large_.empty() ? small_.data() : large_.data(); }
-  Edge* data() { return large_.empty() ? small_.data() : large_.data(); }
+
+  std::size_t next(std::size_t i) const { return i + 1 < ring_.size() ? i + 1 : 0; }
+  Edge make_edge(std::size_t i) const {
+    const Vec2 a = ring_[i];
+    const Vec2 d = ring_[next(i)] - a;
+    const double length2 = squared_norm(d);
+    return {a.x, a.y, d.x, d.y, length2 > 0.0 ? 1.0 / length2 : 0.0};
+  }
+  /// Those beyond the capacity are made each time: no outline needs memory of its own.
+  Edge edge(std::size_t i) const { return i < capacity ? ready_[i] : make_edge(i); }
 
   std::span<const Vec2> ring_;
   std::size_t edges_;
   bool convex_ = false;
-  std::array<Edge, capacity> small_;
-  std::vector<Edge> large_;
+  std::array<Edge, capacity> ready_;
 };
 
 }  // namespace

@@ -34,6 +34,7 @@ class ObstacleIndex {
   bool empty() const { return segments_.empty(); }
   std::size_t size() const { return segments_.size(); }
   const std::vector<Segment>& segments() const { return segments_; }
+  const Box& bounds() const { return nodes_.front().box; }  ///< @pre not empty
 
   /// Nearest segment to the area of a closed ring (world frame; one point or two are a point or a segment), exact, looked
   /// for below `limit`, segments of the source `without` left out. Laws: distance ≥ 0; unchanged by a rigid motion of both up to

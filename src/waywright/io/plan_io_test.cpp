@@ -52,7 +52,8 @@ Plan full_plan() {
     p.samples.push_back(s);
   }
   p.metrics = {1.1, 0.2, 0.30000000000000004, 4e100, 5.5, 6.6, 7.7, 8.8, 9, 1e-300, 11.1};
-  p.certificate = {true, 0.051, 0.0005, 3.3, 0.0041, Pose{1, 2, 0.1}, {0.1, 0.2}, "obstacle 3"};
+  p.certificate = {true, 0.051, 0.0005, 3.3, 0.0041, Pose{1, 2, 0.1}, {0.1, 0.2}, World::nothing};
+  p.tightest_obstacle = "obstacle 3";
   p.explanation = {"why", "against which alternatives: 50 % \xe2\x80\x93 \"so\""};
   p.alternatives = {{"left side", true, 0.1, "taken", {}, {}},
                     {"right side", false, std::nullopt, "too narrow", {}, {}}};

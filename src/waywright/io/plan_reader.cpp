@@ -134,7 +134,7 @@ Metrics read_metrics(const Node& node) {
   return metrics;
 }
 
-Certificate read_certificate(const Node& node) {
+Certificate read_certificate(const Node& node, std::string& obstacle) {
   Certificate c;
   if (!node.is_object_of({"collision_free", "clearance", "tolerance", "checked_length", "pocket_clearance", "tightest"}))
     return c;
@@ -148,7 +148,7 @@ Certificate read_certificate(const Node& node) {
     if (!tightest.is_object_of({"pose", "point", "obstacle"})) return c;
     c.tightest = tightest.at("pose").pose(largest_on_path);
     c.tightest_point = tightest.at("point").point(largest_on_path);
-    c.tightest_obstacle = tightest.at("obstacle").text();
+    obstacle = tightest.at("obstacle").text();
   }
   return c;
 }
@@ -217,7 +217,7 @@ void read_result(const Node& node, Plan& plan) {
   if (node.failed()) return;
   plan.samples = read_samples(path.at("samples"));
   plan.metrics = read_metrics(node.at("metrics"));
-  plan.certificate = read_certificate(node.at("certificate"));
+  plan.certificate = read_certificate(node.at("certificate"), plan.tightest_obstacle);
 }
 
 Plan read_plan_node(const Node& node, const std::filesystem::path& folder) {

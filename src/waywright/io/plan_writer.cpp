@@ -85,7 +85,8 @@ Json metrics_to_json(const Metrics& metrics) {
   return j;
 }
 
-Json certificate_to_json(const Certificate& c) {
+Json certificate_to_json(const Plan& plan) {
+  const Certificate& c = plan.certificate;
   Json j{{"collision_free", c.collision_free},
          {"clearance", written(c.clearance)},
          {"tolerance", c.tolerance},
@@ -94,7 +95,7 @@ Json certificate_to_json(const Certificate& c) {
   if (c.tightest) {
     j["tightest"] = {{"pose", to_json(*c.tightest)},
                      {"point", to_json(c.tightest_point)},
-                     {"obstacle", c.tightest_obstacle}};
+                     {"obstacle", plan.tightest_obstacle}};
   }
   return j;
 }
@@ -134,7 +135,7 @@ std::string plan_json(const Plan& plan) {
     for (const Piece& piece : plan.path.pieces) pieces.push_back(piece_to_json(piece));
     j["path"] = {{"pieces", std::move(pieces)}, {"samples", samples_to_json(plan.samples)}};
     j["metrics"] = metrics_to_json(plan.metrics);
-    j["certificate"] = certificate_to_json(plan.certificate);
+    j["certificate"] = certificate_to_json(plan);
   }
   j["explanation"] = plan.explanation;
   j["meta"] = {{"alternatives", alternatives_to_json(plan.alternatives)}};

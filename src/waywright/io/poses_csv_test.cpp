@@ -15,10 +15,10 @@ std::string sentence_of(const std::string& text) {
   return path ? "accepted" : path.error().message();
 }
 
-std::vector<Piece> pieces_of(const std::string& text) {
+Pieces pieces_of(const std::string& text) {
   const auto path = parse_poses_csv(text, "p.csv");
   EXPECT_TRUE(path) << path.error().message();
-  return path ? path->pieces : std::vector<Piece>{};
+  return path ? path->pieces : Pieces{};
 }
 
 const std::vector<Pose>& poses_of(const Piece& piece) { return std::get<PoseSequence>(piece.curve).poses; }

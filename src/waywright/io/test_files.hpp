@@ -92,10 +92,10 @@ class Fingerprint {
   }
   template <class T>
   void add(const std::vector<T>& list) {
-    text += fmt::format("[{}: ", list.size());
-    for (const T& v : list) add(v);
-    text += "]\n";
+    add_list(list);
   }
+  void add(const Pieces& pieces) { add_list(pieces); }
+  void add(const Spans& spans) { add_list(spans); }
   void add(const CellGrid& g) {
     add_all(g.name, g.columns, g.rows, g.cell, g.origin, g.bounds);
     for (const std::uint8_t c : g.blocked) add(static_cast<int>(c));
@@ -170,11 +170,17 @@ class Fingerprint {
             m.travel_time);
     const Certificate& c = p.certificate;
     add_all(c.collision_free, c.clearance, c.tolerance, c.checked_length, c.tightest, c.tightest_point,
-            c.tightest_obstacle);
+            p.tightest_obstacle);
     add_all(p.explanation, p.alternatives);
   }
 
  private:
+  template <class List>
+  void add_list(const List& list) {
+    text += fmt::format("[{}: ", list.size());
+    for (const auto& v : list) add(v);
+    text += "]\n";
+  }
   template <class... Values>
   void add_all(const Values&... values) {
     (add(values), ...);

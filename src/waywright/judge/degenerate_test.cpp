@@ -21,7 +21,7 @@ Spline spline(const std::vector<Vec2>& control) {
   return {SplineKind::quintic, {span}};
 }
 
-std::vector<Piece> awkward_pieces() {
+Pieces awkward_pieces() {
   const Vec2 far{1e6, -1e6};
   return {
       {Line{{0, 0}, {1e-300, 0}}, 1},

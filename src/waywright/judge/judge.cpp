@@ -62,6 +62,7 @@ Plan judge(const Problem& problem, Path path, const std::atomic<bool>* cancel) {
   const Proof proof = prove(problem, path, options);
   plan.timing.prove = std::chrono::duration<double>(Clock::now() - begin).count();
   plan.certificate = proof.certificate;
+  if (plan.certificate.tightest) plan.tightest_obstacle = problem.world().source_name(plan.certificate.tightest_source);
   plan.status = proof.holds() ? Status::solved : Status::unproven;
   plan.reason = joined(proof.violations);
   if (cancel != nullptr && cancel->load()) return failed_plan(problem, {Status::canceled, "canceled while the path was proven", {}, {}});

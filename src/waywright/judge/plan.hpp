@@ -55,6 +55,7 @@ struct Plan {
   std::vector<Sample> samples;  ///< empty where there is no path
   Metrics metrics;
   Certificate certificate;
+  std::string tightest_obstacle;  ///< name of what the certificate's tightest pose is against; empty where there is none
   std::vector<std::string> explanation;
   std::vector<Alternative> alternatives;
   std::optional<Optimality> optimality;

@@ -162,16 +162,6 @@ std::string World::source_name(std::size_t source) const {
   return source < sources_.size() ? one_line(sources_[source].name) : std::string{"nothing"};
 }
 
-Box World::bounds() const {
-  std::optional<Box> box;
-  for (const Segment& s : index_.segments()) {
-    for (const Vec2 p : {s.a, s.b}) {
-      if (!box) box = Box{p, p};
-      box->low = {std::min(box->low.x, p.x), std::min(box->low.y, p.y)};
-      box->high = {std::max(box->high.x, p.x), std::max(box->high.y, p.y)};
-    }
-  }
-  return box.value_or(Box{{-0.5, -0.5}, {0.5, 0.5}});
-}
+Box World::bounds() const { return index_.empty() ? Box{{-0.5, -0.5}, {0.5, 0.5}} : index_.bounds(); }
 
 }  // namespace waywright

@@ -13,8 +13,11 @@ struct Piece {
   int direction = 1;
 };
 
+/// As many as a docking pattern has with the stretch into a pocket need no memory of their own.
+using Pieces = boost::container::small_vector<Piece, 3>;
+
 struct Path {
-  std::vector<Piece> pieces;
+  Pieces pieces;
 };
 
 /// One row of the plan file's samples. Where direction changes a pose stands twice, at the same s.
@@ -54,15 +57,22 @@ Path reversed(const Path& path);
 /// So many samples a path may have. One that needs more is too long or too bent to be judged.
 inline constexpr std::size_t most_samples = 500'000;
 
+/// Of samples where nothing else is asked for: m, and rad of turning.
+inline constexpr double sample_step = 0.05;
+
 /// How many samples the path needs for what `sample` promises (an upper bound); +∞ where a curve has a cusp.
-double samples_needed(const Path& path, double radius, double tolerance, double step = 0.05);
+double samples_needed(const Path& path, double radius, double tolerance, double step = sample_step);
+
+/// Whether these are at most `most_samples`; cheap where they are far fewer.
+bool can_be_sampled(const Path& path, double radius, double tolerance, double step = sample_step);
 
 /// Samples at most `step` metres and `step` radians apart, and so dense that straight interpolation of the poses stays
 /// within `tolerance` of the true motion for every point at most `radius` from the vehicle's origin, by bounds of curvature and its
 /// rate. Every joint of curves has a sample, two where curvature jumps. Where more than most_samples are needed, all steps are wider.
 /// First = start, last = end; t and speed are left at 0 (speed/ fills them).
-std::vector<Sample> sample(const Path& path, double radius, double tolerance, double step = 0.05);
-inline void sample(const Path& path, double radius, double tolerance, std::vector<Sample>& samples) { samples = sample(path, radius, tolerance); }  // SHIM
+std::vector<Sample> sample(const Path& path, double radius, double tolerance, double step = sample_step);
+/// The same into `samples`, whose memory is reused.
+void sample(const Path& path, double radius, double tolerance, double step, std::vector<Sample>& samples);
 
 /// Places i where the vehicle must stand still between samples i−1 and i (same s): direction changes, turns on the spot.
 bool is_direction_change(const Sample& before, const Sample& after);

@@ -40,7 +40,18 @@ double steps_of(const Pose& a, const Pose& b, const Density& density) {
   return as_count(std::max(distance(a.position(), b.position()), std::abs(shorter_turn(a.heading, b.heading))) / density.step);
 }
 
-double steps_of(const Piece& piece, const Density& density) {
+double steps_of(const BezierSpan& span, const Density& density) {
+  return steps_of(ArcLengthTable{span}.length(), curvature_peaks(span), density);
+}
+
+/// At least as many, at a glance.
+double coarse_steps_of(const BezierSpan& span, const Density& density) {
+  return steps_of(control_length(span), coarse_curvature_peaks(span), density);
+}
+
+using SpanSteps = double (*)(const BezierSpan&, const Density&);
+
+double steps_of(const Piece& piece, const Density& density, SpanSteps span_steps) {
   return std::visit(
       [&](const auto& curve) -> double {
         using C = std::decay_t<decltype(curve)>;
@@ -53,7 +64,7 @@ double steps_of(const Piece& piece, const Density& density) {
         } else {
           double sum = 0.0;
           if constexpr (std::is_same_v<C, Spline>) {
-            for (const BezierSpan& span : curve.spans) sum += steps_of(ArcLengthTable{span}.length(), curvature_peaks(span), density);
+            for (const BezierSpan& span : curve.spans) sum += span_steps(span, density);
           } else {
             for (std::size_t i = 0; i + 1 < curve.poses.size(); ++i) sum += steps_of(curve.poses[i], curve.poses[i + 1], density);
           }
@@ -65,7 +76,7 @@ double steps_of(const Piece& piece, const Density& density) {
 
 class Sampler {
  public:
-  Sampler(const Density& density) : density_{density} {}
+  Sampler(const Density& density, std::vector<Sample>& samples) : density_{density}, samples_{samples} {}
 
   void add(const Piece& piece, std::size_t index) {
     direction_ = piece.direction;
@@ -73,8 +84,6 @@ class Sampler {
     at_joint_ = !samples_.empty();
     std::visit([this](const auto& curve) { follow(curve); }, piece.curve);
   }
-
-  std::vector<Sample> take() { return std::move(samples_); }
 
  private:
   std::size_t count(double steps) const {
@@ -177,26 +186,42 @@ class Sampler {
   }
 
   Density density_;
-  std::vector<Sample> samples_;
+  std::vector<Sample>& samples_;
   int direction_ = 1;
   std::size_t piece_ = 0;
   bool at_joint_ = false;
 };
 
-}  // namespace
-
-double samples_needed(const Path& path, double radius, double tolerance, double step) {
+double all_samples(const Path& path, const Density& density, SpanSteps span_steps) {
   double needed = 1.0;
-  for (const Piece& piece : path.pieces) needed += 1.0 + steps_of(piece, {radius, tolerance, step});
+  for (const Piece& piece : path.pieces) needed += 1.0 + steps_of(piece, density, span_steps);
   return needed;
 }
 
+}  // namespace
+
+double samples_needed(const Path& path, double radius, double tolerance, double step) {
+  return all_samples(path, {radius, tolerance, step}, steps_of);
+}
+
+bool can_be_sampled(const Path& path, double radius, double tolerance, double step) {
+  return all_samples(path, {radius, tolerance, step}, coarse_steps_of) <= most_samples || samples_needed(path, radius, tolerance, step) <= most_samples;
+}
+
 std::vector<Sample> sample(const Path& path, double radius, double tolerance, double step) {
+  std::vector<Sample> samples;
+  sample(path, radius, tolerance, step, samples);
+  return samples;
+}
+
+void sample(const Path& path, double radius, double tolerance, double step, std::vector<Sample>& samples) {
+  samples.clear();
   Density density{radius, tolerance, step};
-  density.widening = std::max(1.0, samples_needed(path, radius, tolerance, step) / static_cast<double>(most_samples));
-  Sampler sampler{density};
+  if (!can_be_sampled(path, radius, tolerance, step)) {
+    density.widening = std::max(1.0, samples_needed(path, radius, tolerance, step) / static_cast<double>(most_samples));
+  }
+  Sampler sampler{density, samples};
   for (std::size_t i = 0; i < path.pieces.size(); ++i) sampler.add(path.pieces[i], i);
-  return sampler.take();
 }
 
 }  // namespace waywright

@@ -6,14 +6,14 @@ namespace waywright {
 
 std::string proof_sentence(const Problem& problem, const Plan& plan) {
   const Certificate& c = plan.certificate;
-  const bool is_measured = c.tightest && !c.tightest_obstacle.empty();
+  const bool is_measured = c.tightest.has_value();
   std::string text = is_measured ? fmt::format("Proven along the whole motion: the footprint keeps at least {:.4f} m from everything", c.clearance)
                                  : fmt::format("Proven along the whole motion: nothing is nearer to the footprint than {:.4f} m", c.clearance);
   if (problem.pose_error_margin() > 0.0) {
     text += fmt::format(" at every pose within the pose error (which takes {:.4f} m)", problem.pose_error_margin());
   }
   if (is_measured) {
-    text += fmt::format("; it is tightest against {} at ({:.2f}, {:.2f})", c.tightest_obstacle, c.tightest_point.x,
+    text += fmt::format("; it is tightest against {} at ({:.2f}, {:.2f})", plan.tightest_obstacle, c.tightest_point.x,
                         c.tightest_point.y);
   }
   return text + ".";

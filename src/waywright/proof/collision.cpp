@@ -19,49 +19,28 @@ constexpr double distance_rounding = 4e-15;    // of the coordinates: some units
 
 class Search {
  public:
-  Search(const World& world, const Footprint& footprint, const SweepOptions& options)
-      : world_{world}, footprint_{footprint}, options_{options}, radius_{footprint.radius()} {
+  Search(const World& world, const SweptBody& body, const SweepOptions& options, SweepMemory& memory)
+      : world_{world}, body_{body}, options_{options}, memory_{memory} {
     // Obstacles far away are long ones, too: a point of a line is rounded like its ends.
     if (!world.empty()) {
       const Box box = world.bounds();
       extent_ = std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
     }
-    if (footprint.is_disc()) {
-      parts_ = {Ring{Vec2{}}};
-      rotating_radius_ = 0.0;
-      grown_ = footprint.disc;
-    } else {
-      parts_ = convex_parts(footprint.polygon);
-      rotating_radius_ = radius_;
-    }
     best_.upper = best_.lower = cap;
   }
 
-  SweptClearance run(const std::vector<MotionInterval>& intervals) {
-    for (const MotionInterval& interval : intervals) {
+  SweptClearance run(std::span<const MotionInterval> motion) {
+    const MotionInterval* before = nullptr;
+    for (const MotionInterval& interval : motion) {
       if (is_canceled()) break;
       best_.length += interval.length();
-      look_at(interval.begin());
-      look_at(interval.end());
+      if (before == nullptr || before->end() != interval.begin()) look_at(interval.begin(), Frame{interval.begin()});
+      look_at(interval.end(), Frame{interval.end()});
+      before = &interval;
     }
     // Tightest stretches first would be best; the order of travel is good enough because the ends have been looked at.
-    std::vector<MotionInterval> stack(intervals.rbegin(), intervals.rend());
-    while (!stack.empty() && best_.upper > 0.0) {
-      if (is_canceled() || best_.queries > most_queries || stack.back().depth() > deepest) {
-        best_.complete = false;
-        break;
-      }
-      const MotionInterval interval = std::move(stack.back());
-      stack.pop_back();
-      const Bound bound = lower_bound(interval);
-      if (is_enough(bound)) {
-        best_.lower = std::min(best_.lower, bound.clearance);
-        continue;
-      }
-      auto [left, right] = interval.halve();
-      look_at(right.begin());
-      stack.push_back(std::move(right));
-      stack.push_back(std::move(left));
+    for (const MotionInterval& interval : motion) {
+      if (!goes_on(interval, Frame{interval.begin()}, Frame{interval.end()})) break;
     }
     if (best_.upper <= 0.0 || !best_.complete) best_.lower = 0.0;
     best_.lower = std::clamp(best_.lower, 0.0, best_.upper);
@@ -73,9 +52,31 @@ class Search {
 
   double effective_tolerance() const { return std::max(least_tolerance, std::min(options_.tolerance, 0.5 * best_.upper)); }
 
-  void look_at(const Pose& pose) {
+  /// Bounds an interval whose ends are placed so; false where the search ends.
+  bool goes_on(const MotionInterval& interval, const Frame& begin, const Frame& end) {
+    if (best_.upper <= 0.0) return false;
+    if (is_canceled() || best_.queries > most_queries || interval.depth() > deepest) {
+      best_.complete = false;
+      return false;
+    }
+    const Bound bound = lower_bound(interval, begin, end);
+    if (is_enough(bound)) {
+      best_.lower = std::min(best_.lower, bound.clearance);
+      return true;
+    }
+    const MotionHalves halves{interval};
+    const Frame middle{halves.right.begin()};
+    look_at(halves.right.begin(), middle);
+    return goes_on(halves.left, begin, middle) && goes_on(halves.right, middle, end);
+  }
+
+  void look_at(const Pose& pose, const Frame& frame) {
     ++best_.queries;
-    const Contact contact = world_.clearance(footprint_, pose, best_.upper, options_.without);
+    Ring& ring = memory_.corners;
+    ring.clear();
+    if (body_.footprint.is_disc()) ring.push_back(pose.position());
+    for (const Vec2 p : body_.footprint.polygon) ring.push_back(frame.to_world(p));
+    const Contact contact = world_.clearance(ring, body_.grown, best_.upper, options_.without);
     if (contact.clearance < best_.upper) {  // never where nothing is within the cap
       best_.upper = contact.clearance;
       best_.tightest = pose;
@@ -95,49 +96,60 @@ class Search {
     return bound.clearance >= best_.upper - fine_tolerance && bound.deviation <= 0.5 * fine_tolerance;
   }
 
-  Bound lower_bound(const MotionInterval& interval) {
-    double deviation = interval.deviation(rotating_radius_);
+  Bound lower_bound(const MotionInterval& interval, const Frame& begin, const Frame& end) {
+    double deviation = interval.deviation(body_.rotating_radius);
     if (interval.is_translation()) {
       const Pose& p = interval.begin();
       const Pose& q = interval.end();
-      deviation = distance_rounding * (std::max({extent_, std::abs(p.x), std::abs(p.y), std::abs(q.x), std::abs(q.y)}) + radius_);
+      deviation = distance_rounding * (std::max({extent_, std::abs(p.x), std::abs(p.y), std::abs(q.x), std::abs(q.y)}) + body_.radius);
       best_.rounding = std::max(best_.rounding, deviation);
     } else {
-      deviation += least_slack + interval.rounding(radius_) + 1e-14 * extent_;
+      deviation += least_slack + interval.rounding(body_.radius) + 1e-14 * extent_;
     }
     if (!(deviation < cap)) return {-1.0, deviation};
-    const double enough = best_.upper + deviation;
-    const Frame a{interval.begin()};
-    const Frame b{interval.end()};
-    double least = enough;
-    for (const Ring& part : parts_) {
-      corners_.clear();
-      for (const Vec2 p : part) corners_.push_back(a.to_world(p));
-      for (const Vec2 p : part) corners_.push_back(b.to_world(p));
-      convex_hull(corners_, hull_);
+    double least = best_.upper + deviation;
+    for (const Ring& part : body_.parts) {
+      Ring& corners = memory_.corners;
+      corners.clear();
+      for (const Vec2 p : part) corners.push_back(begin.to_world(p));
+      for (const Vec2 p : part) corners.push_back(end.to_world(p));
+      convex_hull(corners, memory_.hull);
       ++best_.queries;
-      least = std::min(least, world_.clearance(hull_, grown_, enough, options_.without).clearance);
+      least = std::min(least, world_.clearance(memory_.hull, body_.grown, least, options_.without).clearance);
     }
     return {least - deviation, deviation};
   }
 
   const World& world_;
-  const Footprint& footprint_;
+  const SweptBody& body_;
   const SweepOptions& options_;
-  double radius_;
+  SweepMemory& memory_;
   double extent_ = 0.0;  // greatest coordinate of the world
-  double rotating_radius_ = 0.0;
-  double grown_ = 0.0;
-  std::vector<Ring> parts_;
-  Ring corners_, hull_;
   SweptClearance best_;
 };
 
 }  // namespace
 
-SweptClearance swept_clearance(const World& world, const Footprint& footprint, const std::vector<MotionInterval>& intervals,
-                               const SweepOptions& options) {
-  return Search{world, footprint, options}.run(intervals);
+SweptBody::SweptBody(Footprint of) : footprint{std::move(of)}, radius{footprint.radius()} {
+  if (footprint.is_disc()) {
+    parts = {Ring{Vec2{}}};
+    grown = footprint.disc;
+  } else {
+    parts = convex_parts(footprint.polygon);
+    rotating_radius = radius;
+  }
+}
+
+void SweepMemory::reserve(const SweptBody& body) {
+  std::size_t greatest = 1;
+  for (const Ring& part : body.parts) greatest = std::max(greatest, part.size());
+  corners.reserve(std::max(body.footprint.polygon.size(), 2 * greatest));
+  hull.reserve(4 * greatest);
+}
+
+SweptClearance swept_clearance(const World& world, const SweptBody& body, std::span<const MotionInterval> motion, const SweepOptions& options,
+                               SweepMemory& memory) {
+  return Search{world, body, options, memory}.run(motion);
 }
 
 }  // namespace waywright

@@ -4,12 +4,31 @@
 #include <atomic>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "waywright/map/world.hpp"
 #include "waywright/proof/motion.hpp"
 
 namespace waywright {
+
+/// A footprint made ready to be swept: the hull of a convex part's places is convex.
+struct SweptBody {
+  explicit SweptBody(Footprint of);
+
+  Footprint footprint;
+  double radius = 0.0;           ///< m, of the footprint
+  std::vector<Ring> parts;       ///< convex, counter-clockwise; of a disc its centre
+  double rotating_radius = 0.0;  ///< m, of the parts
+  double grown = 0.0;            ///< m, by which the parts are less than the footprint
+};
+
+/// Rings under work, reused from query to query.
+struct SweepMemory {
+  Ring corners, hull;
+  /// For bodies like this nothing is allocated.
+  void reserve(const SweptBody& body);
+};
 
 struct SweptClearance {
   double lower = 0.0;       ///< m, no pose of the motion comes nearer than this (nominal pose, rounding allowed for)
@@ -34,7 +53,7 @@ struct SweepOptions {
   std::size_t without = World::nothing;       ///< a source of the world that is not looked at
   const std::atomic<bool>* cancel = nullptr;  ///< once raised, the search ends incomplete
 };
-SweptClearance swept_clearance(const World& world, const Footprint& footprint, const std::vector<MotionInterval>& intervals,
-                               const SweepOptions& options);
+SweptClearance swept_clearance(const World& world, const SweptBody& body, std::span<const MotionInterval> motion, const SweepOptions& options,
+                               SweepMemory& memory);
 
 }  // namespace waywright

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <type_traits>
 
+#include "waywright/curve/bezier.hpp"
 #include "waywright/proof/pose_limits.hpp"
 
 namespace waywright {
@@ -43,40 +45,70 @@ bool finite_curve(const Curve& curve) {
       curve);
 }
 
-/// Branch and bound: is `bound` within `limit` everywhere? Fills where and how much where it is not.
-template <class Bound, class Value>
-std::optional<Violation> exceeds(const std::vector<MotionInterval>& intervals, double limit, const char* what,
-                                 const char* unit_name, Bound bound, Value value) {
-  const double allowed = limit * (1.0 + relative_slack);
-  std::vector<MotionInterval> stack(intervals.rbegin(), intervals.rend());
-  std::size_t visited = 0;
-  std::optional<Violation> worst;
-  double greatest = allowed;
-  while (!stack.empty()) {
-    const MotionInterval interval = stack.back();
-    stack.pop_back();
-    if (bound(interval) <= greatest) continue;
-    if (const double found = std::abs(value(interval)); found > greatest) {
-      greatest = found;
-      worst = Violation{fmt::format("the {} is {:.4f} {} at ({:.3f}, {:.3f}), over the limit of {:.4f} {}", what, found,
-                                    unit_name, interval.begin().x, interval.begin().y, limit, unit_name),
-                        interval.begin()};
-      if (found > 1e3 * allowed) return worst;
-      continue;
+/// Branch and bound over a path's curves: does a quantity of curvature keep its limit everywhere? Tells where and by how much it does not.
+template <class Bounds>
+class LimitSearch {
+ public:
+  /// `value` of a curve's point is what the bounds bound; arcs and lines have `elsewhere` of a curvature.
+  struct Quantity {
+    const char* name;
+    const char* unit;
+    double (*value)(const CurvePoint& point);
+    double (*elsewhere)(double curvature);
+  };
+  LimitSearch(const Quantity& quantity, double limit) : quantity_{quantity}, limit_{limit}, greatest_{limit * (1.0 + relative_slack)} {}
+
+  std::optional<Violation> run(const Motion& motion, const Path& path) {
+    for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+      if (std::holds_alternative<PoseSequence>(path.pieces[i].curve)) continue;
+      for (const MotionInterval& interval : motion.of_piece(i)) {
+        if (!goes_on(interval)) return worst_;
+      }
+    }
+    return worst_;
+  }
+
+ private:
+  bool goes_on(const MotionInterval& interval) {
+    if (interval.span() != nullptr) return goes_on(interval, Bounds{interval.span()->bounds}, 0.0, 1.0, 0);
+    const double found = std::abs(quantity_.elsewhere(interval.curvature_at_begin()));
+    return found <= greatest_ || found_excess(found, interval.begin());
+  }
+
+  /// Of the part of the interval's span that begins at `u` and is `width` wide.
+  bool goes_on(const MotionInterval& interval, const Bounds& bounds, double u, double width, int depth) {
+    if (bounds.greatest() <= greatest_) return true;
+    if (const double found = std::abs(quantity_.value(evaluate(interval.span()->span, u))); found > greatest_) {
+      return found_excess(found, interval.pose_at(u));
     }
     // Halving a found excess only sharpens a figure that is already over the limit.
-    if (++visited > most_intervals || interval.depth() > deepest || (worst && visited > 4000)) {
-      if (worst) return worst;
-      return Violation{fmt::format("the {} could not be shown to keep the limit of {:.4f} {} near ({:.3f}, {:.3f})", what,
-                                   limit, unit_name, interval.begin().x, interval.begin().y),
-                       interval.begin()};
+    if (++visited_ > most_intervals || depth > deepest || (worst_ && visited_ > 4000)) {
+      if (worst_) return false;
+      const Pose at = interval.pose_at(u);
+      worst_ = Violation{fmt::format("the {} could not be shown to keep the limit of {:.4f} {} near ({:.3f}, {:.3f})", quantity_.name, limit_,
+                                     quantity_.unit, at.x, at.y),
+                         at};
+      return false;
     }
-    auto [left, right] = interval.halve();
-    stack.push_back(right);
-    stack.push_back(left);
+    Bounds left, right;
+    bounds.halve(left, right);
+    return goes_on(interval, left, u, 0.5 * width, depth + 1) && goes_on(interval, right, u + 0.5 * width, 0.5 * width, depth + 1);
   }
-  return worst;
-}
+
+  bool found_excess(double found, const Pose& at) {
+    greatest_ = found;
+    worst_ = Violation{fmt::format("the {} is {:.4f} {} at ({:.3f}, {:.3f}), over the limit of {:.4f} {}", quantity_.name, found, quantity_.unit, at.x,
+                                   at.y, limit_, quantity_.unit),
+                       at};
+    return found <= 1e3 * limit_ * (1.0 + relative_slack);
+  }
+
+  Quantity quantity_;
+  double limit_;
+  double greatest_;
+  std::size_t visited_ = 0;
+  std::optional<Violation> worst_;
+};
 
 /// A vehicle that moves goes on in its direction and, where that is known and steering takes time, with its curvature.
 std::optional<Violation> check_entry_motion(const Problem& problem, const Piece& first) {
@@ -119,70 +151,60 @@ std::vector<Violation> check_form(const Path& path) {
   return violations;
 }
 
-std::vector<Violation> check_continuity(const Problem& problem, const Path& path, const ProofOptions& options) {
+std::vector<Violation> check_continuity(const Problem& problem, const Path& path, const Motion& motion, const ProofOptions& options) {
   std::vector<Violation> violations;
-  const auto compare = [&](const Pose& is, const Pose& should, const std::string& what) {
+  const auto compare = [&](const Pose& is, const Pose& should, const auto& what) {
     const double off = distance(is.position(), should.position());
     const double turned = std::abs(shorter_turn(is.heading, should.heading));
     if (off <= options.position_tolerance && turned <= options.heading_tolerance) return;
-    violations.push_back({fmt::format("{} by {:.6f} m and {:.6f} rad ({:.2f} degrees)", what, off, turned,
+    violations.push_back({fmt::format("{} by {:.6f} m and {:.6f} rad ({:.2f} degrees)", what(), off, turned,
                                       turned * 180.0 / pi),
                           is});
   };
-  compare(start_pose(path), problem.first_pose(), "the path misses the start pose");
+  compare(start_pose(path), problem.first_pose(), [] { return "the path misses the start pose"; });
   if (auto violation = check_entry_motion(problem, path.pieces.front())) violations.push_back(*violation);
   for (std::size_t i = 0; i < path.pieces.size(); ++i) {
-    const std::vector<MotionInterval> intervals = MotionInterval::of(path.pieces[i]);
+    const std::span<const MotionInterval> intervals = motion.of_piece(i);
     for (std::size_t k = 0; k + 1 < intervals.size(); ++k) {
-      compare(intervals[k + 1].begin(), intervals[k].end(), fmt::format("piece {} jumps inside", i));
+      compare(intervals[k + 1].begin(), intervals[k].end(), [i] { return fmt::format("piece {} jumps inside", i); });
     }
     if (i + 1 < path.pieces.size()) {
-      compare(start_pose(path.pieces[i + 1]), end_pose(path.pieces[i]), fmt::format("the path jumps after piece {}", i));
+      compare(start_pose(path.pieces[i + 1]), end_pose(path.pieces[i]), [i] { return fmt::format("the path jumps after piece {}", i); });
     }
   }
-  compare(end_pose(path), problem.last_pose(), "the path misses the goal pose");
+  compare(end_pose(path), problem.last_pose(), [] { return "the path misses the goal pose"; });
   return violations;
 }
 
-std::vector<Violation> check_limits(const Vehicle& vehicle, const Path& path) {
+std::vector<Violation> check_limits(const Vehicle& vehicle, const Path& path, const Motion& motion) {
   std::vector<Violation> violations = check_pose_sequences(vehicle, path);
-  std::vector<MotionInterval> smooth;
   bool turns = false;
-  for (const Piece& piece : path.pieces) {
-    if (std::holds_alternative<PoseSequence>(piece.curve)) continue;
-    if (std::holds_alternative<Turn>(piece.curve)) {
-      turns = true;
-      continue;
-    }
-    std::vector<MotionInterval> intervals = MotionInterval::of(piece);
-    if (vehicle.steering_takes_time()) {
-      for (std::size_t i = 0; i + 1 < intervals.size(); ++i) {
-        const double before = intervals[i].curvature_at_end();
-        const double after = intervals[i + 1].curvature_at_begin();
-        if (std::abs(after - before) > curvature_tolerance) {
-          violations.push_back({fmt::format("the curvature jumps by {:.6f} 1/m inside a piece, where the vehicle does not stand",
-                                            std::abs(after - before)),
-                                intervals[i + 1].begin()});
-        }
+  for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+    turns = turns || std::holds_alternative<Turn>(path.pieces[i].curve);
+    if (!vehicle.steering_takes_time() || std::holds_alternative<PoseSequence>(path.pieces[i].curve)) continue;
+    const std::span<const MotionInterval> intervals = motion.of_piece(i);
+    for (std::size_t k = 0; k + 1 < intervals.size(); ++k) {
+      const double before = intervals[k].curvature_at_end();
+      const double after = intervals[k + 1].curvature_at_begin();
+      if (std::abs(after - before) > curvature_tolerance) {
+        violations.push_back({fmt::format("the curvature jumps by {:.6f} 1/m inside a piece, where the vehicle does not stand",
+                                          std::abs(after - before)),
+                              intervals[k + 1].begin()});
       }
     }
-    smooth.insert(smooth.end(), std::make_move_iterator(intervals.begin()), std::make_move_iterator(intervals.end()));
   }
   if (turns && !vehicle.can_turn_on_the_spot()) {
     violations.push_back({"the path turns on the spot, which a tricycle drive cannot do", std::nullopt});
   }
   if (const double limit = vehicle.max_curvature(); std::isfinite(limit)) {
-    if (auto v = exceeds(smooth, limit, "curvature", "1/m", [](const MotionInterval& m) { return m.curvature_bound(); },
-                         [](const MotionInterval& m) { return m.curvature_at_begin(); })) {
-      violations.push_back(*v);
-    }
+    LimitSearch<CurvatureBounds> search{
+        {"curvature", "1/m", [](const CurvePoint& p) { return p.curvature; }, [](double curvature) { return curvature; }}, limit};
+    if (auto violation = search.run(motion, path)) violations.push_back(std::move(*violation));
   }
   if (vehicle.limits.curvature_rate) {
-    if (auto v = exceeds(smooth, *vehicle.limits.curvature_rate, "curvature rate", "1/m²",
-                         [](const MotionInterval& m) { return m.curvature_rate_bound(); },
-                         [](const MotionInterval& m) { return m.curvature_rate_at_begin(); })) {
-      violations.push_back(*v);
-    }
+    LimitSearch<CurvatureRateBounds> search{
+        {"curvature rate", "1/m²", [](const CurvePoint& p) { return p.curvature_rate; }, [](double) { return 0.0; }}, *vehicle.limits.curvature_rate};
+    if (auto violation = search.run(motion, path)) violations.push_back(std::move(*violation));
   }
   return violations;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <type_traits>
 
 #include "waywright/curve/arc.hpp"
@@ -13,8 +14,25 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Pose vehicle_pose(const CurvePoint& point, int direction) {
-  return make_pose(point.position, direction < 0 ? point.course + pi : point.course);
+Pose vehicle_pose(Vec2 position, double course, int direction) { return make_pose(position, direction < 0 ? course + pi : course); }
+
+/// At an end of a span, where its tangent is `along`.
+Pose pose_at_end(Vec2 position, Vec2 along, int direction) {
+  return vehicle_pose(position, squared_norm(along) > 0.0 ? angle_of(along) : 0.0, direction);
+}
+Pose begin_of(const BezierSpan& span, int direction) {
+  return pose_at_end(span.control[0], span.control[1] - span.control[0], direction);
+}
+Pose end_of(const BezierSpan& span, int direction) {
+  const auto n = static_cast<std::size_t>(span.degree);
+  return pose_at_end(span.control[n], span.control[n] - span.control[n - 1], direction);
+}
+
+/// The continuous heading differs from the wrapped one by a multiple of 2π; intervals that turn by more than π at once have
+/// a deviation so large that they are halved before it matters.
+Pose continued(const Pose& begin, Pose end) {
+  if (std::abs(end.heading - begin.heading) > pi) end.heading = begin.heading + shorter_turn(begin.heading, end.heading);
+  return end;
 }
 
 /// Relative slack of quotients of bounds.
@@ -35,68 +53,82 @@ double bow(const BezierSpan& span) {
 
 }  // namespace
 
-MotionInterval MotionInterval::make(Polynomial polynomial, int direction) {
+MotionInterval MotionInterval::straight(const Pose& begin, const Pose& end, int direction) {
   MotionInterval interval;
+  interval.begin_ = begin;
+  interval.end_ = end;
   interval.direction_ = direction;
-  const CurvePoint a = evaluate(polynomial.span, 0.0);
-  const CurvePoint b = evaluate(polynomial.span, 1.0);
-  interval.begin_ = vehicle_pose(a, direction);
-  interval.end_ = vehicle_pose(b, direction);
-  // The continuous heading differs from the wrapped one by a multiple of 2π; intervals that turn by more than π at once have
-  // a deviation so large that they are halved before it matters.
-  interval.end_.heading = interval.begin_.heading + shorter_turn(interval.begin_.heading, interval.end_.heading);
-  interval.curve_ = std::make_shared<const Polynomial>(std::move(polynomial));
   return interval;
 }
 
-MotionInterval MotionInterval::make(const Arc& arc, int direction) {
-  MotionInterval interval;
-  interval.direction_ = direction;
-  interval.begin_ = vehicle_pose(evaluate(arc, 0.0), direction);
-  interval.end_ = vehicle_pose(evaluate(arc, arc.length), direction);
+MotionInterval MotionInterval::of(const Arc& arc, int direction) {
+  const CurvePoint a = evaluate(arc, 0.0);
+  const CurvePoint b = evaluate(arc, arc.length);
+  MotionInterval interval = straight(vehicle_pose(a.position, a.course, direction), vehicle_pose(b.position, b.course, direction), direction);
   interval.end_.heading = interval.begin_.heading + arc.curvature * arc.length;
-  interval.curve_ = Circular{arc};
+  interval.curve_ = arc;
   return interval;
 }
 
-std::vector<MotionInterval> MotionInterval::of(const Piece& piece) {
-  std::vector<MotionInterval> intervals;
-  const auto straight = [&](const Pose& a, const Pose& b) {
-    MotionInterval interval;
-    interval.direction_ = piece.direction;
-    interval.begin_ = a;
-    interval.end_ = b;
-    intervals.push_back(std::move(interval));
-  };
+MotionInterval MotionInterval::of(const BoundedSpan& span, int direction) {
+  const Pose begin = begin_of(span.span, direction);
+  MotionInterval interval = straight(begin, continued(begin, end_of(span.span, direction)), direction);
+  interval.curve_ = &span;
+  return interval;
+}
+
+void Motion::reserve(std::size_t pieces, std::size_t curves) {
+  begins_.reserve(pieces + 1);
+  intervals_.reserve(curves);
+  spans_.reserve(curves);
+}
+
+void Motion::assign(const Path& path) {
+  begins_.clear();
+  intervals_.clear();
+  spans_.clear();
+  std::size_t spans = 0;
+  for (const Piece& piece : path.pieces) {
+    if (const auto* spline = std::get_if<Spline>(&piece.curve)) spans += spline->spans.size();
+  }
+  spans_.reserve(spans);  // intervals point to them
+  for (const Piece& piece : path.pieces) {
+    begins_.push_back(intervals_.size());
+    add(piece);
+  }
+  begins_.push_back(intervals_.size());
+}
+
+std::span<const MotionInterval> Motion::intervals(std::size_t first, std::size_t last) const {
+  return intervals().subspan(begins_[first], begins_[last] - begins_[first]);
+}
+
+void Motion::add(const Piece& piece) {
+  const auto straight = [&](const Pose& a, const Pose& b) { intervals_.push_back(MotionInterval::straight(a, b, piece.direction)); };
   std::visit(
       [&](const auto& curve) {
         using C = std::decay_t<decltype(curve)>;
         if constexpr (std::is_same_v<C, Line>) {
           straight(start_pose(piece), end_pose(piece));
         } else if constexpr (std::is_same_v<C, Arc>) {
-          intervals.push_back(make(curve, piece.direction));
+          intervals_.push_back(MotionInterval::of(curve, piece.direction));
         } else if constexpr (std::is_same_v<C, Turn>) {
           straight(make_pose(curve.at, curve.from), make_pose(curve.at, curve.from + curve.angle));
         } else if constexpr (std::is_same_v<C, PoseSequence>) {
-          for (std::size_t i = 0; i + 1 < curve.poses.size(); ++i) {
-            const Pose& a = curve.poses[i];
-            Pose b = curve.poses[i + 1];
-            b.heading = a.heading + shorter_turn(a.heading, b.heading);
-            straight(a, b);
-          }
+          for (std::size_t i = 0; i + 1 < curve.poses.size(); ++i) straight(curve.poses[i], continued(curve.poses[i], curve.poses[i + 1]));
         } else {
           for (const BezierSpan& span : curve.spans) {
             if (span.degree == 1) {
-              const Piece line{Line{span.control[0], span.control[1]}, piece.direction};
-              straight(start_pose(line), end_pose(line));
+              const double heading = wrap(begin_of(span, piece.direction).heading);
+              straight(make_pose(span.control[0], heading), make_pose(span.control[1], heading));
               continue;
             }
-            intervals.push_back(make(Polynomial{span, SpanBounds{span}}, piece.direction));
+            spans_.push_back({span, CurvatureBounds{span}});
+            intervals_.push_back(MotionInterval::of(spans_.back(), piece.direction));
           }
         }
       },
       piece.curve);
-  return intervals;
 }
 
 double MotionInterval::deviation(double radius) const {
@@ -104,10 +136,10 @@ double MotionInterval::deviation(double radius) const {
   // Rotating a point evenly by `turned` leaves the chord between its two places by at most radius·turned²/8.
   const double chord = radius * turned * turned / 8.0;
   if (std::holds_alternative<Straight>(curve_)) return chord;
-  if (const auto* circular = std::get_if<Circular>(&curve_)) {
-    return chord + std::abs(circular->arc.curvature) * circular->arc.length * circular->arc.length / 8.0;
+  if (const auto* arc = std::get_if<Arc>(&curve_)) {
+    return chord + std::abs(arc->curvature) * arc->length * arc->length / 8.0;
   }
-  const Polynomial& p = *polynomial();
+  const BoundedSpan& p = *span();
   // Position: difference from the even segment lies in the hull of the control points' differences.
   // Heading: θ′ = N/D lies in [m, M] on the interval (u from 0 to 1), so θ leaves its chord by at most (M − m)/4. The true
   // turn is also within (M − m)/2 of `turned`, which rules out a lost multiple of 2π when the bound is under π.
@@ -123,37 +155,32 @@ double MotionInterval::deviation(double radius) const {
   return chord + bow(p.span) + radius * heading;
 }
 
-std::pair<MotionInterval, MotionInterval> MotionInterval::halve() const {
-  auto both = halves();
-  both.first.depth_ = both.second.depth_ = depth_ + 1;
-  return both;
+MotionHalves::MotionHalves(const MotionInterval& whole) : left{whole}, right{whole} {
+  if (const BoundedSpan* p = whole.span()) {
+    std::tie(left_span_.span, right_span_.span) = halve(p->span);
+    p->bounds.halve(left_span_.bounds, right_span_.bounds);
+    left.end_ = right.begin_ = continued(whole.begin_, begin_of(right_span_.span, whole.direction_));
+    right.end_ = continued(right.begin_, whole.end_);
+    left.curve_ = &left_span_;
+    right.curve_ = &right_span_;
+  } else if (const auto* arc = std::get_if<Arc>(&whole.curve_)) {
+    const double half = 0.5 * arc->length;
+    Arc left_arc = *arc;
+    Arc right_arc = *arc;
+    left_arc.length = right_arc.length = half;
+    right_arc.start = make_pose(evaluate(*arc, half).position, arc->start.heading + arc->curvature * half);
+    left = MotionInterval::of(left_arc, whole.direction_);
+    right = MotionInterval::of(right_arc, whole.direction_);
+  } else {
+    left.end_ = right.begin_ =
+        make_pose(0.5 * (whole.begin_.position() + whole.end_.position()), 0.5 * (whole.begin_.heading + whole.end_.heading));
+  }
+  left.depth_ = right.depth_ = whole.depth_ + 1;
 }
 
-std::pair<MotionInterval, MotionInterval> MotionInterval::halves() const {
-  if (const Polynomial* p = polynomial()) {
-    const auto [left, right] = waywright::halve(p->span);
-    auto [left_bounds, right_bounds] = p->bounds.halves();
-    return {make(Polynomial{left, std::move(left_bounds)}, direction_), make(Polynomial{right, std::move(right_bounds)}, direction_)};
-  }
-  if (const auto* c = std::get_if<Circular>(&curve_)) {
-    const double half = 0.5 * c->arc.length;
-    Arc left = c->arc;
-    Arc right = c->arc;
-    left.length = right.length = half;
-    const CurvePoint middle = evaluate(c->arc, half);
-    right.start = make_pose(middle.position, c->arc.start.heading + c->arc.curvature * half);
-    return {make(left, direction_), make(right, direction_)};
-  }
-  MotionInterval left = *this;
-  MotionInterval right = *this;
-  left.end_ = make_pose(0.5 * (begin_.position() + end_.position()), 0.5 * (begin_.heading + end_.heading));
-  right.begin_ = left.end_;
-  return {left, right};
-}
-
-const MotionInterval::Polynomial* MotionInterval::polynomial() const {
-  const auto* p = std::get_if<std::shared_ptr<const Polynomial>>(&curve_);
-  return p == nullptr ? nullptr : p->get();
+const BoundedSpan* MotionInterval::span() const {
+  const auto* p = std::get_if<const BoundedSpan*>(&curve_);
+  return p == nullptr ? nullptr : *p;
 }
 
 bool MotionInterval::is_translation() const { return std::holds_alternative<Straight>(curve_) && begin_.heading == end_.heading; }
@@ -161,8 +188,8 @@ bool MotionInterval::is_translation() const { return std::holds_alternative<Stra
 double MotionInterval::rounding(double radius) const {
   double reach = std::max({std::abs(begin_.x), std::abs(begin_.y), std::abs(end_.x), std::abs(end_.y)});
   double heading = unit_roundoff * std::max(std::abs(begin_.heading), std::abs(end_.heading));
-  if (const auto* circular = std::get_if<Circular>(&curve_)) reach += circular->arc.length;
-  if (const Polynomial* p = polynomial()) {
+  if (const auto* arc = std::get_if<Arc>(&curve_)) reach += arc->length;
+  if (const BoundedSpan* p = span()) {
     // Control points of the halves are rounded, and a tangent is their difference. Without a bound on speed there is none on turning.
     for (std::size_t i = 0; i <= static_cast<std::size_t>(p->span.degree); ++i) {
       reach = std::max({reach, std::abs(p->span.control[i].x), std::abs(p->span.control[i].y)});
@@ -173,34 +200,23 @@ double MotionInterval::rounding(double radius) const {
   return 1e-14 * (reach + radius) + 4.0 * radius * heading;
 }
 
-double MotionInterval::curvature_bound() const {
-  if (const auto* circular = std::get_if<Circular>(&curve_)) return std::abs(circular->arc.curvature);
-  const Polynomial* p = polynomial();
-  return p == nullptr ? 0.0 : p->bounds.curvature();
+double MotionInterval::curvature_at_begin() const {
+  if (const auto* arc = std::get_if<Arc>(&curve_)) return arc->curvature;
+  return span() == nullptr ? 0.0 : evaluate(span()->span, 0.0).curvature;
 }
 
-double MotionInterval::curvature_rate_bound() const {
-  const Polynomial* p = polynomial();
-  return p == nullptr ? 0.0 : p->bounds.curvature_rate();
+double MotionInterval::curvature_at_end() const {
+  return span() == nullptr ? curvature_at_begin() : evaluate(span()->span, 1.0).curvature;
 }
 
-double MotionInterval::curvature_at(double u) const {
-  if (const auto* circular = std::get_if<Circular>(&curve_)) return circular->arc.curvature;
-  if (const Polynomial* p = polynomial()) return evaluate(p->span, u).curvature;
-  return 0.0;
-}
-
-double MotionInterval::curvature_at_begin() const { return curvature_at(0.0); }
-double MotionInterval::curvature_at_end() const { return curvature_at(1.0); }
-
-double MotionInterval::curvature_rate_at_begin() const {
-  const Polynomial* p = polynomial();
-  return p == nullptr ? 0.0 : evaluate(p->span, 0.0).curvature_rate;
+Pose MotionInterval::pose_at(double u) const {
+  const CurvePoint point = evaluate(span()->span, u);
+  return vehicle_pose(point.position, point.course, direction_);
 }
 
 double MotionInterval::length() const {
-  if (const auto* circular = std::get_if<Circular>(&curve_)) return circular->arc.length;
-  if (const Polynomial* p = polynomial()) return arc_length(p->span);
+  if (const auto* arc = std::get_if<Arc>(&curve_)) return arc->length;
+  if (const BoundedSpan* p = span()) return arc_length(p->span);
   return distance(begin_.position(), end_.position());
 }
 

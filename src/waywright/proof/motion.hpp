@@ -2,7 +2,7 @@
 // interval: its two end poses, and how far the true motion can be from the straight interpolation between them.
 #pragma once
 
-#include <memory>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -11,15 +11,22 @@
 
 namespace waywright {
 
-/// An interval of one smooth curve.
+/// A Bézier span with what bounds its turning.
+struct BoundedSpan {
+  BezierSpan span;
+  CurvatureBounds bounds;
+};
+
+struct MotionHalves;
+
+/// An interval of one smooth curve. That of a Bézier span refers to a span that is kept elsewhere: it is large, and imported poses make
+/// very many straight intervals.
 ///
 /// Law: for every pose of the true motion in it there is a λ in [0, 1] such that each body point at most r from the origin is
 /// within deviation(r) of the point λ of the way between its places at `begin` and `end`.
 class MotionInterval {
  public:
-  /// All intervals of a piece, one per smooth curve. Headings at the ends are continuous (not wrapped) within an interval.
-  static std::vector<MotionInterval> of(const Piece& piece);
-
+  /// Headings at the ends are continuous (not wrapped) within an interval.
   const Pose& begin() const { return begin_; }
   const Pose& end() const { return end_; }
   /// m; +∞ where the course is not bounded on the interval (a cusp).
@@ -30,43 +37,68 @@ class MotionInterval {
   bool is_translation() const;
   /// How often the curve was halved to get here.
   int depth() const { return depth_; }
-  /// Halves that join.
-  std::pair<MotionInterval, MotionInterval> halve() const;
 
-  /// Greatest |κ| in 1/m (upper bound; +∞ at a cusp).
-  double curvature_bound() const;
-  /// Greatest |dκ/ds| in 1/m² (upper bound).
-  double curvature_rate_bound() const;
   double curvature_at_begin() const;
   double curvature_at_end() const;
-  double curvature_rate_at_begin() const;
+  /// The Bézier span followed; nullptr where it is another curve, whose curvature is the same everywhere.
+  const BoundedSpan* span() const;
+  /// Pose at a parameter of the span. @pre there is one
+  Pose pose_at(double u) const;
 
   /// m, by Gauss–Legendre or closed form
   double length() const;
 
  private:
-  struct Polynomial {  // Bézier span with what bounds it
-    BezierSpan span;
-    SpanBounds bounds;
-  };
-  struct Circular {
-    Arc arc;
-  };
+  friend class Motion;
+  friend struct MotionHalves;
   struct Straight {};  // straight interpolation of position and heading: exact
 
-  double curvature_at(double u) const;
-  std::pair<MotionInterval, MotionInterval> halves() const;
-  static MotionInterval make(Polynomial polynomial, int direction);
-  static MotionInterval make(const Arc& arc, int direction);
+  MotionInterval() = default;
+  static MotionInterval straight(const Pose& begin, const Pose& end, int direction);
+  static MotionInterval of(const Arc& arc, int direction);
+  static MotionInterval of(const BoundedSpan& span, int direction);
 
   Pose begin_{};
   Pose end_{};
   int direction_ = 1;
   int depth_ = 0;
-  const Polynomial* polynomial() const;
+  std::variant<Straight, Arc, const BoundedSpan*> curve_;
+};
 
-  /// A polynomial is kept apart: it is large, and imported poses make very many straight intervals.
-  std::variant<Straight, Circular, std::shared_ptr<const Polynomial>> curve_;
+/// Halves of an interval, that join. They may refer to the spans beside them.
+struct MotionHalves {
+  explicit MotionHalves(const MotionInterval& whole);
+  MotionHalves(const MotionHalves&) = delete;
+  MotionHalves& operator=(const MotionHalves&) = delete;
+
+  MotionInterval left, right;
+
+ private:
+  BoundedSpan left_span_, right_span_;
+};
+
+/// All intervals of a path, one per smooth curve, in its order. Memory is reused from path to path.
+class Motion {
+ public:
+  Motion() = default;
+  explicit Motion(const Path& path) { assign(path); }
+  Motion(const Motion&) = delete;
+  Motion& operator=(const Motion&) = delete;
+  void assign(const Path& path);
+  /// For paths of so many curves nothing is allocated.
+  void reserve(std::size_t pieces, std::size_t curves);
+
+  std::span<const MotionInterval> intervals() const { return intervals_; }
+  /// Of the pieces from `first` to before `last`.
+  std::span<const MotionInterval> intervals(std::size_t first, std::size_t last) const;
+  std::span<const MotionInterval> of_piece(std::size_t piece) const { return intervals(piece, piece + 1); }
+
+ private:
+  void add(const Piece& piece);
+
+  std::vector<MotionInterval> intervals_;
+  std::vector<std::size_t> begins_;  // of each piece, and the end
+  std::vector<BoundedSpan> spans_;
 };
 
 }  // namespace waywright

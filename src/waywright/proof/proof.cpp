@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 
 #include "waywright/proof/collision.hpp"
 #include "waywright/proof/limits.hpp"
@@ -60,14 +61,51 @@ std::optional<Violation> too_near(const Finding& finding, const char* what, doub
                    finding.swept.tightest};
 }
 
+// Of a docking path; longer ones reserve what they need.
+constexpr std::size_t usual_pieces = 8;
+constexpr std::size_t usual_curves = 16;
+
+std::vector<SweptBody> bodies_of(const std::vector<Ring>& rings) {
+  std::vector<SweptBody> bodies;
+  for (const Ring& ring : rings) bodies.emplace_back(Footprint{ring, 0.0});
+  return bodies;
+}
+
 }  // namespace
 
+struct ProofWorkspace::State {
+  SweptBody vehicle;
+  std::vector<SweptBody> rest, forks;  // of the vehicle in a pocket
+  Motion motion;
+  SweepMemory memory;
+};
+
+ProofWorkspace::ProofWorkspace(const Problem& problem)
+    : state_{new State{SweptBody{problem.footprint()}, problem.pocket() ? bodies_of(problem.pocket()->rest) : std::vector<SweptBody>{},
+                       problem.pocket() ? bodies_of(problem.pocket()->forks) : std::vector<SweptBody>{}, {}, {}}} {
+  state_->motion.reserve(usual_pieces, usual_curves);
+  state_->memory.reserve(state_->vehicle);
+  for (const auto* bodies : {&state_->rest, &state_->forks}) {
+    for (const SweptBody& body : *bodies) state_->memory.reserve(body);
+  }
+}
+ProofWorkspace::ProofWorkspace(ProofWorkspace&&) noexcept = default;
+ProofWorkspace& ProofWorkspace::operator=(ProofWorkspace&&) noexcept = default;
+ProofWorkspace::~ProofWorkspace() = default;
+
 Proof prove(const Problem& problem, const Path& path, const ProofOptions& options) {
+  ProofWorkspace workspace{problem};
+  return prove(problem, path, options, workspace);
+}
+
+Proof prove(const Problem& problem, const Path& path, const ProofOptions& options, ProofWorkspace& workspace) {
+  ProofWorkspace::State& state = *workspace.state_;
   Proof proof;
   proof.certificate.tolerance = options.tolerance;
   proof.violations = check_form(path);
   if (!proof.violations.empty()) return proof;
-  if (const double needed = samples_needed(path, problem.footprint().radius(), options.tolerance); !(needed <= most_samples)) {
+  if (!can_be_sampled(path, state.vehicle.radius, options.tolerance)) {
+    const double needed = samples_needed(path, state.vehicle.radius, options.tolerance);
     proof.violations.push_back({std::isfinite(needed) ? fmt::format("the path is too long or too bent: it needs {:.0f} samples, and at most {} are allowed",
                                                                     needed, most_samples)
                                                       : "the path has a cusp, where the vehicle's heading is not defined",
@@ -76,8 +114,10 @@ Proof prove(const Problem& problem, const Path& path, const ProofOptions& option
   }
   proof.measurable = true;
 
-  append(proof.violations, check_continuity(problem, path, options));
-  append(proof.violations, check_limits(problem.vehicle(), path));
+  Motion& motion = state.motion;
+  motion.assign(path);
+  append(proof.violations, check_continuity(problem, path, motion, options));
+  append(proof.violations, check_limits(problem.vehicle(), path, motion));
 
   // What is driven in the open, and the stretch in the shelf.
   const std::optional<std::size_t> pocket_piece = problem.pocket_piece(path);
@@ -86,29 +126,27 @@ Proof prove(const Problem& problem, const Path& path, const ProofOptions& option
                                 "end in the shelf",
                                 std::nullopt});
   }
-  std::vector<MotionInterval> open, in_shelf;
-  for (std::size_t i = 0; i < path.pieces.size(); ++i) {
-    std::vector<MotionInterval> more = MotionInterval::of(path.pieces[i]);
-    std::vector<MotionInterval>& motion = pocket_piece == i ? in_shelf : open;
-    motion.insert(motion.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  }
+  const std::size_t first_open = pocket_piece && problem.is_driven_back() ? 1 : 0;
+  const std::size_t last_open = pocket_piece && !problem.is_driven_back() ? *pocket_piece : path.pieces.size();
 
   const double margin = problem.pose_error_margin();
   const double required = problem.required_clearance();
-  Finding finding{swept_clearance(problem.world(), problem.footprint(), open, {options.tolerance, required, World::nothing, options.cancel}), &problem.world()};
+  const World& world = problem.world();
+  const auto sweep = [&](const World& obstacles, const SweptBody& body, std::span<const MotionInterval> intervals, double least, std::size_t without) {
+    return swept_clearance(obstacles, body, intervals, {options.tolerance, least, without, options.cancel}, state.memory);
+  };
+  Finding finding{sweep(world, state.vehicle, motion.intervals(first_open, last_open), required, World::nothing), &world};
   Certificate& certificate = proof.certificate;
   certificate.checked_length = finding.swept.length;
   std::optional<Finding> forks;
   if (pocket_piece) {
     const PocketMotion& pocket = *problem.pocket();
+    const std::span<const MotionInterval> in_shelf = motion.of_piece(*pocket_piece);
     for (const MotionInterval& interval : in_shelf) certificate.checked_length += interval.length();
-    merge(finding, swept_clearance(problem.world(), problem.footprint(), in_shelf, {options.tolerance, required, pocket.shelf_source, options.cancel}),
-          problem.world());
-    for (const Ring& ring : pocket.rest) {
-      merge(finding, swept_clearance(pocket.shelf, Footprint{ring, 0.0}, in_shelf, {options.tolerance, required, World::nothing, options.cancel}), pocket.shelf);
-    }
-    for (const Ring& fork : pocket.forks) {
-      const SweptClearance swept = swept_clearance(pocket.beside_pockets, Footprint{fork, 0.0}, in_shelf, {options.tolerance, margin, World::nothing, options.cancel});
+    merge(finding, sweep(world, state.vehicle, in_shelf, required, pocket.shelf_source), world);
+    for (const SweptBody& body : state.rest) merge(finding, sweep(pocket.shelf, body, in_shelf, required, World::nothing), pocket.shelf);
+    for (const SweptBody& body : state.forks) {
+      const SweptClearance swept = sweep(pocket.beside_pockets, body, in_shelf, margin, World::nothing);
       if (forks) merge(*forks, swept, pocket.beside_pockets);
       else forks = Finding{swept, &pocket.beside_pockets};
     }
@@ -119,7 +157,7 @@ Proof prove(const Problem& problem, const Path& path, const ProofOptions& option
   if (swept.tightest) {
     certificate.tightest = swept.tightest;
     certificate.tightest_point = swept.contact.point;
-    certificate.tightest_obstacle = finding.world->source_name(swept.contact.source);
+    certificate.tightest_source = finding.world == &world ? swept.contact.source : problem.pocket()->shelf_source;
   }
   certificate.clearance = std::max(0.0, swept.lower - margin);
   // Distances are what they are up to rounding: one that differs from what is required by no more than that is the one required.
@@ -135,7 +173,7 @@ Proof prove(const Problem& problem, const Path& path, const ProofOptions& option
   } else if (certificate.clearance < problem.scenario().clearance - comparison_slack) {
     proof.violations.push_back({fmt::format("the proven clearance is {:.4f} m, under the {:.4f} m asked for; tightest against {}",
                                             certificate.clearance, problem.scenario().clearance,
-                                            swept.tightest ? certificate.tightest_obstacle : "nothing"),
+                                            world.source_name(certificate.tightest_source)),
                                 swept.tightest});
   }
   if (forks) {

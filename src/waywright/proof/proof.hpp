@@ -2,6 +2,8 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,9 +22,9 @@ struct Certificate {
   /// m, proven lower bound between the forks and the shelf beside its pockets, pose error taken off; only with an insertion. On that
   /// stretch `clearance` is that of everything else.
   std::optional<double> pocket_clearance;
-  std::optional<Pose> tightest;   ///< the pose with the least clearance found
-  Vec2 tightest_point{};          ///< the obstacle's point there
-  std::string tightest_obstacle;  ///< its name
+  std::optional<Pose> tightest;  ///< the pose with the least clearance found
+  Vec2 tightest_point{};         ///< the obstacle's point there
+  std::size_t tightest_source = World::nothing;  ///< its index in the problem's world
 };
 
 struct ProofOptions {
@@ -44,13 +46,24 @@ struct Proof {
   bool holds() const { return violations.empty() && certificate.collision_free; }
 };
 
-/// Proves or refutes. Never throws on data; work is bounded.
-Proof prove(const Problem& problem, const Path& path, const ProofOptions& options = {});
-// SHIM
+/// What proofs of one problem's paths share: its bodies made ready, and memory that is reused. For one thread at a time.
 class ProofWorkspace {
  public:
-  explicit ProofWorkspace(const Problem&) {}
+  explicit ProofWorkspace(const Problem& problem);
+  ProofWorkspace(ProofWorkspace&&) noexcept;
+  ProofWorkspace& operator=(ProofWorkspace&&) noexcept;
+  ~ProofWorkspace();
+
+ private:
+  friend Proof prove(const Problem& problem, const Path& path, const ProofOptions& options, ProofWorkspace& workspace);
+  struct State;
+  std::unique_ptr<State> state_;
 };
-inline Proof prove(const Problem& problem, const Path& path, const ProofOptions& options, ProofWorkspace&) { return prove(problem, path, options); }
+
+/// Proves or refutes. Never throws on data; work is bounded.
+Proof prove(const Problem& problem, const Path& path, const ProofOptions& options = {});
+/// The same with a workspace made for the problem: where the path holds and is no longer than a docking path (or one proven before),
+/// nothing is allocated; poses from outside excepted.
+Proof prove(const Problem& problem, const Path& path, const ProofOptions& options, ProofWorkspace& workspace);
 
 }  // namespace waywright

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <list>
 
 #include "tests/oracle/brute_force.hpp"
 #include "tests/oracle/random_motions.hpp"
@@ -123,7 +124,7 @@ TEST(Proof, AThinWallBetweenSamplesIsFound) {
   const Path path{{{Line{{0, 0}, {10, 0}}, 1}}};
   const Proof proof = prove(problem_for(map, path, forklift().footprint), path);
   EXPECT_FALSE(proof.certificate.collision_free);
-  EXPECT_EQ(proof.certificate.tightest_obstacle, "line 0");
+  EXPECT_EQ(World{map}.source_name(proof.certificate.tightest_source), "line 0");
 }
 
 TEST(Proof, TouchingCountsAsCollision) {
@@ -173,26 +174,26 @@ TEST(Limits, CurvatureOverTheLimitIsFoundBetweenSamples) {
   Vehicle v = forklift();
   std::get<Tricycle>(v.drive).max_steering = 1.5;
   v.limits.curvature = peak * (1.0 + 1e-5);
-  EXPECT_TRUE(check_limits(v, path).empty());
+  EXPECT_TRUE(check_limits(v, path, Motion{path}).empty());
   v.limits.curvature = peak * (1.0 - 1e-5);
-  EXPECT_FALSE(check_limits(v, path).empty());
+  EXPECT_FALSE(check_limits(v, path, Motion{path}).empty());
   v.limits.curvature = 10.0;
   v.limits.curvature_rate = rate * (1.0 + 1e-5);
-  EXPECT_TRUE(check_limits(v, path).empty());
+  EXPECT_TRUE(check_limits(v, path, Motion{path}).empty());
   v.limits.curvature_rate = rate * (1.0 - 1e-5);
-  EXPECT_FALSE(check_limits(v, path).empty());
+  EXPECT_FALSE(check_limits(v, path, Motion{path}).empty());
 }
 
 TEST(Limits, SidewaysMotionAndTurningOnTheSpotAreRefusedForATricycle) {
   const Path sideways{{{PoseSequence{{{0, 0, 0}, {0.0, 0.5, 0}}}, 1}}};
-  EXPECT_FALSE(check_limits(forklift(), sideways).empty());
+  EXPECT_FALSE(check_limits(forklift(), sideways, Motion{sideways}).empty());
   const Path turn{{{Turn{{0, 0}, 0.0, 1.0}, 0}}};
-  EXPECT_FALSE(check_limits(forklift(), turn).empty());
+  EXPECT_FALSE(check_limits(forklift(), turn, Motion{turn}).empty());
   Vehicle differential = forklift();
   differential.drive = Differential{0.6};
-  EXPECT_TRUE(check_limits(differential, turn).empty());
+  EXPECT_TRUE(check_limits(differential, turn, Motion{turn}).empty());
   differential.drive = Mecanum{0.1, 0.3, 0.3};
-  EXPECT_TRUE(check_limits(differential, sideways).empty());
+  EXPECT_TRUE(check_limits(differential, sideways, Motion{sideways}).empty());
 }
 
 TEST(Proof, GapsWrongEndsAndBrokenNumbersAreViolations) {
@@ -233,8 +234,9 @@ TEST(Proof, AStraightCubicThatTurnsBackIsRefusedWhateverItsNumbers) {
     const Path path{{{Spline{SplineKind::natural_cubic, {fold}}, 1}}};
     EXPECT_FALSE(prove(problem_for({}, path, forklift().footprint), path).holds()) << first << ' ' << second;
     Vehicle v = forklift();
-    EXPECT_FALSE(check_limits(v, path).empty()) << first << ' ' << second;
-    EXPECT_FALSE(swept_clearance(World{}, forklift().footprint, MotionInterval::of(path.pieces[0]), {}).complete) << first << ' ' << second;
+    EXPECT_FALSE(check_limits(v, path, Motion{path}).empty()) << first << ' ' << second;
+    SweepMemory memory;
+    EXPECT_FALSE(swept_clearance(World{}, SweptBody{forklift().footprint}, Motion{path}.intervals(), {}, memory).complete) << first << ' ' << second;
   }
   EXPECT_GT(folded, 100);
 }
@@ -274,7 +276,7 @@ TEST(Proof, NothingNearIsNoTightestPlace) {
   const Proof proof = prove(problem_for(map, path, forklift().footprint), path);
   EXPECT_TRUE(proof.holds());
   EXPECT_FALSE(proof.certificate.tightest.has_value());
-  EXPECT_TRUE(proof.certificate.tightest_obstacle.empty());
+  EXPECT_EQ(proof.certificate.tightest_source, World::nothing);
   map.points = {{5.0, 9.0}};
   EXPECT_TRUE(prove(problem_for(map, path, forklift().footprint), path).certificate.tightest.has_value());
 }
@@ -327,9 +329,9 @@ TEST(Limits, ACurvatureJumpInsideAPieceIsRefusedWhereSteeringTakesTime) {
   const BezierSpan bend{3, {Vec2{2, 0}, {2.0 + h, 0}, end - h * unit(1.0), end}};
   const Path path{{{Spline{SplineKind::quintic, {straight_span({0, 0}, {2, 0}), bend}}, 1}}};
   Vehicle v = forklift();
-  EXPECT_TRUE(check_limits(v, path).empty());
+  EXPECT_TRUE(check_limits(v, path, Motion{path}).empty());
   std::get<Tricycle>(v.drive).max_steering_rate = 0.1;
-  EXPECT_FALSE(check_limits(v, path).empty());
+  EXPECT_FALSE(check_limits(v, path, Motion{path}).empty());
 }
 
 TEST(MotionInterval, EveryPoseIsWithinItsDeviation) {
@@ -337,13 +339,16 @@ TEST(MotionInterval, EveryPoseIsWithinItsDeviation) {
   for (int i = 0; i < 2000; ++i) {
     const Path path = random_path(random);
     for (const Piece& piece : path.pieces) {
-      std::vector<MotionInterval> intervals = MotionInterval::of(piece);
+      const Motion motion{Path{{piece}}};
+      std::list<MotionHalves> levels;
+      const MotionInterval* part = &motion.intervals().back();
       for (int level = 0; level < 3; ++level) {
-        auto [left, right] = intervals.back().halve();
-        intervals.back() = random.uniform() < 0.5 ? left : right;
+        levels.emplace_back(*part);
+        part = random.uniform() < 0.5 ? &levels.back().left : &levels.back().right;
       }
-      const MotionInterval& m = intervals.back();
-      auto [left, right] = m.halve();
+      const MotionInterval& m = *part;
+      const MotionHalves halves{m};
+      const MotionInterval &left = halves.left, &right = halves.right;
       const double radius = 2.0;
       const double deviation = m.deviation(radius);
       if (!std::isfinite(deviation)) continue;

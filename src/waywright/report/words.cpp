@@ -63,8 +63,7 @@ std::string as_sentence(std::string text) {
 }
 
 bool is_beyond_measure(const Certificate& c) {
-  return c.collision_free &&
-         (!c.tightest || c.tightest_obstacle.empty() || c.clearance >= clearance_cap - 2.0 * c.tolerance);
+  return c.collision_free && (!c.tightest || c.clearance >= clearance_cap - 2.0 * c.tolerance);
 }
 
 std::string clearance_words(const Certificate& c) {

@@ -28,15 +28,6 @@ constexpr double default_angular_acceleration = 1.0;
 
 double square(double x) { return x * x; }
 
-/// What holds along one step, whichever of its two ends is worse; so it holds between them too.
-struct Step {
-  double length = 0.0;     // m; 0: both samples are at one place
-  double turn = 0.0;       // rad, of a turn on the spot; else 0
-  double top = infinity;   // greatest w by speed, lateral acceleration, angular speed, steering rate; m²/s²
-  double curvature = 0.0;  // greatest |κ|, 1/m
-  double rate = 0.0;       // greatest |κ′|, 1/m²
-};
-
 /// s that the steered wheel needs to turn while the vehicle stands between two samples at one place.
 double steering_pause(const Sample& before, const Sample& after, const Vehicle& vehicle) {
   const auto* tricycle = std::get_if<Tricycle>(&vehicle.drive);
@@ -56,9 +47,9 @@ double turn_on_the_spot(const Sample& from, const Sample& to) {
   return on_the_spot || std::abs(turn) > turning_threshold ? turn : 0.0;
 }
 
-Step make_step(const Sample& from, const Sample& to, const Vehicle& vehicle) {
+SpeedStep make_step(const Sample& from, const Sample& to, const Vehicle& vehicle) {
   const Limits& limits = vehicle.limits;
-  Step step;
+  SpeedStep step;
   step.length = std::max(0.0, to.s - from.s);
   if (step.length <= same_place) {
     step.length = 0.0;
@@ -104,34 +95,35 @@ struct Interval {
 
 class Profile {
  public:
-  Profile(const std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed)
-      : samples_{samples}, limits_{vehicle.limits} {
+  /// The first sample is passed with at most `start_speed`.
+  Profile(const std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed, SpeedWorkspace& workspace)
+      : samples_{samples}, limits_{vehicle.limits}, steps_{workspace.steps}, caps_{workspace.caps}, w_{workspace.squares} {
     const std::size_t n = samples.size();
+    steps_.clear();
     caps_.assign(n, infinity);
-    rests_.assign(n, false);
-    rests_.back() = true;
-    if (start_speed <= 0.0) rests_.front() = true;
+    caps_.front() = square(start_speed);
+    caps_.back() = 0.0;
     for (std::size_t i = 0; i + 1 < n; ++i) {
       const Sample& a = samples[i];
       const Sample& b = samples[i + 1];
       steps_.push_back(make_step(a, b, vehicle));
-      const Step& step = steps_.back();
-      for (const std::size_t k : {i, i + 1}) caps_[k] = std::min(caps_[k], step.top);
-      if (must_stand(a, b, vehicle)) rests_[i] = rests_[i + 1] = true;
+      const double cap = must_stand(a, b, vehicle) ? 0.0 : steps_.back().top;
+      for (const std::size_t k : {i, i + 1}) caps_[k] = std::min(caps_[k], cap);
     }
-    for (std::size_t i = 0; i < n; ++i) {
-      if (rests_[i] || caps_[i] < square(creeping)) caps_[i] = 0.0;
+    for (double& cap : caps_) {
+      if (cap < square(creeping)) cap = 0.0;
     }
     backward();
-    greatest_ = std::sqrt(w_.front());
-    if (start_speed > 0.0) w_.front() = std::min(w_.front(), start_speed * start_speed);
-    forward();
   }
 
+  /// m²/s², the greatest v² with which the first sample can be passed so that the rest can be driven.
+  double start() const { return w_.front(); }
+
   /// v² of every sample.
-  const std::vector<double>& speeds_squared() const { return w_; }
-  const std::vector<Step>& steps() const { return steps_; }
-  double greatest_ = 0.0;
+  const std::vector<double>& fastest() {
+    forward();
+    return w_;
+  }
 
  private:
   /// Accelerations with which step i can be driven from w at its start to at most `most` at its end.
@@ -189,9 +181,9 @@ class Profile {
 
   const std::vector<Sample>& samples_;
   const Limits& limits_;
-  std::vector<Step> steps_;
-  std::vector<double> caps_, w_;
-  std::vector<bool> rests_;
+  std::vector<SpeedStep>& steps_;
+  std::vector<double>& caps_;
+  std::vector<double>& w_;
 };
 
 /// s from rest to rest over a distance (or angle), speeding up and slowing down, not above `top`.
@@ -204,7 +196,7 @@ double rest_to_rest(double distance, double acceleration, double deceleration, d
 
 /// A step that begins and ends at rest speeds up and slows down within it; half of the angular acceleration
 /// goes to each term.
-double rest_to_rest(const Step& step, const Limits& limits) {
+double rest_to_rest(const SpeedStep& step, const Limits& limits) {
   double top = std::min(step.top, square(std::max(limits.speed, limits.reverse_speed)));
   double acceleration = limits.acceleration;
   double deceleration = limits.deceleration;
@@ -231,7 +223,7 @@ double turning_time(double part, double whole, const Limits& limits) {
 
 /// Times of the turn on the spot that begins with step i; returns the step after it. A turn goes on through
 /// steps of one place and one sense.
-std::size_t time_turn(std::vector<Sample>& samples, const std::vector<Step>& steps, std::size_t i,
+std::size_t time_turn(std::vector<Sample>& samples, const std::vector<SpeedStep>& steps, std::size_t i,
                       const Limits& limits) {
   std::size_t end = i;
   double whole = 0.0;
@@ -254,15 +246,16 @@ std::size_t time_turn(std::vector<Sample>& samples, const std::vector<Step>& ste
 
 }  // namespace
 
-double greatest_start_speed(const std::vector<Sample>& samples, const Vehicle& vehicle, SpeedWorkspace&) {
-  return Profile{samples, vehicle, std::numeric_limits<double>::infinity()}.greatest_;
+double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed) {
+  SpeedWorkspace workspace;
+  return assign_speed(samples, vehicle, start_speed, workspace);
 }
 
-double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed) {
+double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed, SpeedWorkspace& workspace) {
   if (samples.empty()) return 0.0;
-  const Profile profile{samples, vehicle, start_speed};
-  const std::vector<double>& w = profile.speeds_squared();
-  const std::vector<Step>& steps = profile.steps();
+  Profile profile{samples, vehicle, start_speed, workspace};
+  const std::vector<double>& w = profile.fastest();
+  const std::vector<SpeedStep>& steps = workspace.steps;
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i].speed = std::sqrt(w[i]);
   samples.front().t = 0.0;
   for (std::size_t i = 0; i < steps.size();) {
@@ -281,6 +274,17 @@ double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double
     ++i;
   }
   return samples.back().t;
+}
+
+double greatest_start_speed(const std::vector<Sample>& samples, const Vehicle& vehicle, SpeedWorkspace& workspace) {
+  if (samples.empty()) return 0.0;
+  return std::sqrt(Profile{samples, vehicle, infinity, workspace}.start());
+}
+
+void SpeedWorkspace::reserve(std::size_t samples) {
+  steps.reserve(samples);
+  caps.reserve(samples);
+  squares.reserve(samples);
 }
 
 double time_from_rest_to_rest(const Sample& before, const Sample& after, const Vehicle& vehicle) {

@@ -1,6 +1,8 @@
 // Speed and time along a sampled path under the vehicle's limits.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "waywright/path/path.hpp"
@@ -16,13 +18,32 @@ namespace waywright {
 /// speed up and slow down within; turning on the spot follows the angular limits (1 rad/s and 1 rad/s² where
 /// absent); a steered wheel that has to turn while the vehicle stands is waited for. Laws: t never decreases
 /// and is finite; speed ≥ 0; limits hold at both ends of every step. Returns the total time in s.
+///
+/// With a `start_speed` (m/s, ≥ 0, in the first sample's direction) the first sample is passed with it instead of at rest, or with the
+/// greatest speed from which the rest can be driven where that is less. A turn on the spot begins at rest.
 /// @pre s never decreases; limits > 0
 double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed = 0.0);
-// SHIM
-struct SpeedWorkspace {
-  void reserve(std::size_t) {}
+
+/// What holds along one step between samples, whichever of its two ends is worse; so it holds between them too.
+struct SpeedStep {
+  double length = 0.0;  ///< m; 0: both samples are at one place
+  double turn = 0.0;    ///< rad, of a turn on the spot; else 0
+  double top = std::numeric_limits<double>::infinity();  ///< m²/s², greatest v² by speed, lateral acceleration, angular speed, steering rate
+  double curvature = 0.0;  ///< greatest |κ|, 1/m
+  double rate = 0.0;       ///< greatest |κ′|, 1/m²
 };
-inline double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed, SpeedWorkspace&) { return assign_speed(samples, vehicle, start_speed); }
+
+/// Memory that is reused from profile to profile.
+struct SpeedWorkspace {
+  std::vector<SpeedStep> steps;
+  std::vector<double> caps;     ///< m²/s², v² that a sample's steps allow
+  std::vector<double> squares;  ///< m²/s², v² of the profile
+  /// For so many samples nothing is allocated.
+  void reserve(std::size_t samples);
+};
+double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed, SpeedWorkspace& workspace);
+
+/// Greatest speed in m/s with which the first sample can be passed so that the rest keeps all limits; 0 where the vehicle must stand there.
 double greatest_start_speed(const std::vector<Sample>& samples, const Vehicle& vehicle, SpeedWorkspace& workspace);
 
 /// s that a step takes at least which begins and ends at rest and moves between.

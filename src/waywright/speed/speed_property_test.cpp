@@ -67,6 +67,48 @@ TEST(Speed, EveryLimitHoldsOnRandomPaths) {
   }
 }
 
+// What begins at the greatest speed, or at any under it, comes to an end within the limits; what should begin faster begins at the greatest.
+TEST(Speed, EveryLimitHoldsFromAMovingStart) {
+  Random random{23};
+  SpeedWorkspace workspace;
+  int moving = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vehicle vehicle = random_vehicle(random);
+    auto samples = random_path(random, std::holds_alternative<Differential>(vehicle.drive));
+    const double greatest = greatest_start_speed(samples, vehicle, workspace);
+    if (greatest == 0.0) continue;
+    ++moving;
+    assign_speed(samples, vehicle, greatest, workspace);
+    ASSERT_NEAR(samples.front().speed, greatest, 1e-12 * greatest) << "path " << i;
+    ASSERT_EQ(broken_limit(samples, vehicle, 1e-6, samples.front().speed), "") << "path " << i;
+    assign_speed(samples, vehicle, 2.0 * greatest);
+    ASSERT_EQ(samples.front().speed, greatest) << "path " << i;
+    const double slower = greatest * random.uniform(0.01, 0.999);
+    assign_speed(samples, vehicle, slower);
+    ASSERT_EQ(broken_limit(samples, vehicle, 1e-6, slower), "") << "path " << i;
+  }
+  EXPECT_GT(moving, 2000);
+}
+
+// What is left of a path is driven no slower than as a part of the whole, whichever sample it begins with.
+TEST(Speed, TheRestOfAPathGoesOnAtTheSpeedThatTheWholeHasThere) {
+  Random random{24};
+  int moving = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vehicle vehicle = random_vehicle(random);
+    auto whole = random_path(random, std::holds_alternative<Differential>(vehicle.drive));
+    assign_speed(whole, vehicle);
+    const auto first = static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(whole.size()) - 2));
+    if (whole[first].direction == 0) continue;  // a turn on the spot begins at rest
+    std::vector<Sample> rest(whole.begin() + static_cast<std::ptrdiff_t>(first), whole.end());
+    const double time = assign_speed(rest, vehicle, whole[first].speed);
+    moving += whole[first].speed > 0.0 ? 1 : 0;
+    ASSERT_LE(time, whole.back().t - whole[first].t + 1e-9) << "path " << i;
+    for (std::size_t k = 0; k < rest.size(); ++k) ASSERT_GE(rest[k].speed, whole[first + k].speed - 1e-9) << "path " << i << " sample " << first + k;
+  }
+  EXPECT_GT(moving, 1500);
+}
+
 // No sample can be driven faster while its neighbours stay as they are: the profile leaves nothing on the
 // table.
 TEST(Speed, NothingCanBeRaised) {

@@ -78,12 +78,13 @@ inline std::vector<Sample> turn(double angle, std::size_t steps) {
 
 /// What is wrong with a profile; empty where nothing is.
 inline std::string broken_limit(const std::vector<Sample>& samples, const Vehicle& vehicle,
-                                double slack = 1e-6) {
+                                double slack = 1e-6, double start_speed = 0.0) {
   const Limits& limits = vehicle.limits;
   const auto* steered = std::get_if<Tricycle>(&vehicle.drive);
   const auto over = [&](double value, double limit) { return !(value <= limit * (1.0 + slack) + 1e-12); };
   const auto at = [](const char* what, std::size_t i) { return what + (" at sample " + std::to_string(i)); };
-  if (samples.front().speed != 0.0 || samples.back().speed != 0.0) return "not at rest at the ends";
+  if (samples.front().speed != start_speed) return "does not begin at the start speed";
+  if (samples.back().speed != 0.0) return "not at rest at the end";
   if (samples.front().t != 0.0) return "does not begin at 0";
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Sample& s = samples[i];

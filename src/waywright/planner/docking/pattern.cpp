@@ -9,8 +9,9 @@
 namespace waywright {
 namespace {
 
-Spline without_empty(std::vector<BezierSpan> spans) {
-  std::erase_if(spans, [](const BezierSpan& s) { return s.degree == 1 && s.control[0] == s.control[1]; });
+Spline without_empty(Spans spans) {
+  const auto is_empty = [](const BezierSpan& s) { return s.degree == 1 && s.control[0] == s.control[1]; };
+  spans.erase(std::remove_if(spans.begin(), spans.end(), is_empty), spans.end());
   return {SplineKind::quintic, std::move(spans)};
 }
 

@@ -45,7 +45,7 @@ bool PatternSolver::stands(const Path& whole) {
   path_ = whole;
   proof_ = prove(problem, path_, {}, proving_);
   if (!proof_.holds()) return false;
-  sample(path_, problem.footprint().radius(), proof_.certificate.tolerance, samples_);
+  sample(path_, problem.footprint().radius(), proof_.certificate.tolerance, sample_step, samples_);
   return can_be_entered(problem, samples_, timing_);
 }
 

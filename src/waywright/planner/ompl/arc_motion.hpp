@@ -48,6 +48,7 @@ class MotionTest {
   /// shows a stretch to both sides to be free; what is left before and behind it is tested in the same way,
   /// until a placement shows less than the resolution: then the motion counts as blocked.
   bool motion_free(std::span<const Piece> pieces);
+  bool motion_free(const Pieces& pieces) { return motion_free(std::span{pieces.data(), pieces.size()}); }
 
   std::int64_t placements() const { return placements_; }
   std::int64_t motions() const { return motions_; }

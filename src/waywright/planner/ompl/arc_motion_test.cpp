@@ -80,8 +80,8 @@ TEST(MotionTest, ThinWallsBetweenSamplesAreSeen) {
       problem_with(map, Footprint{{}, 0.0}, 0.0);  // a point against a wall of a millimetre
   Budget budget;
   MotionTest test{problem, no_limits, budget};
-  const std::vector<Piece> through{{Line{{0.0, 0.0}, {7.3, 0.0}}, 1}};
-  const std::vector<Piece> beside{{Line{{0.0, 0.01}, {7.3, 0.01}}, -1}};
+  const Pieces through{{Line{{0.0, 0.0}, {7.3, 0.0}}, 1}};
+  const Pieces beside{{Line{{0.0, 0.01}, {7.3, 0.01}}, -1}};
   EXPECT_FALSE(test.motion_free(through));
   EXPECT_TRUE(test.motion_free(beside));
   EXPECT_EQ(test.worst_blocker().name, "line 0");
@@ -98,12 +98,12 @@ TEST(MotionTest, EndsThatJustKeepTheClearanceCanBeLeft) {
   Budget budget;
   MotionTest test{problem, no_limits, budget};
   EXPECT_TRUE(test.pose_free(problem.start()));
-  const std::vector<Piece> away{{Line{{0.2, 0.0}, {-5.0, 0.0}}, -1}};
+  const Pieces away{{Line{{0.2, 0.0}, {-5.0, 0.0}}, -1}};
   EXPECT_TRUE(test.motion_free(away));
-  const std::vector<Piece> nearer{{Line{{0.2, 0.0}, {0.203, 0.0}}, 1}};
+  const Pieces nearer{{Line{{0.2, 0.0}, {0.203, 0.0}}, 1}};
   EXPECT_FALSE(test.motion_free(nearer));
   // The same just-kept clearance anywhere else is not taken for free.
-  const std::vector<Piece> from_elsewhere{{Line{{0.2, 0.5}, {-5.0, 0.5}}, -1}};
+  const Pieces from_elsewhere{{Line{{0.2, 0.5}, {-5.0, 0.5}}, -1}};
   EXPECT_FALSE(test.motion_free(from_elsewhere));
 }
 
@@ -111,7 +111,7 @@ TEST(MotionTest, LimitsAndCancelEndAMotion) {
   Map map;
   map.lines.push_back({{-100.0, 0.002}, {100.0, 0.002}});
   const Problem problem = problem_with(map, Footprint{{}, 0.0}, 0.0);
-  const std::vector<Piece> along{{Line{{0.0, 0.0}, {40.0, 0.0}}, 1}};
+  const Pieces along{{Line{{0.0, 0.0}, {40.0, 0.0}}, 1}};
   Budget budget;
   MotionTest few{problem, {100, 10, 0.001}, budget};
   EXPECT_FALSE(few.motion_free(along));

@@ -211,9 +211,9 @@ ReedsSheppWord ReedsShepp::shortest(const Pose& from, const Pose& to) const {
   return Search{{there.x, there.y, heading, of_heading.sin, of_heading.cos}}.best();
 }
 
-std::vector<Piece> ReedsShepp::between(const Pose& from, const Pose& to) const {
+Pieces ReedsShepp::between(const Pose& from, const Pose& to) const {
   const ReedsSheppWord word = shortest(from, to);
-  std::vector<Piece> pieces;
+  Pieces pieces;
   Pose pose = from;
   for (std::size_t i = 0; i < word.count; ++i) {
     const double metres = radius_ * std::abs(word.parts[i].length);
@@ -236,7 +236,7 @@ std::vector<Piece> ReedsShepp::between(const Pose& from, const Pose& to) const {
   return pieces;
 }
 
-void append_merged(std::vector<Piece>& pieces, const Piece& piece) {
+void append_merged(Pieces& pieces, const Piece& piece) {
   if (pieces.empty() || !goes_on(pieces.back(), piece)) {
     pieces.push_back(piece);
     return;
@@ -249,8 +249,8 @@ void append_merged(std::vector<Piece>& pieces, const Piece& piece) {
   }
 }
 
-std::vector<Piece> part_of(const std::vector<Piece>& pieces, double begin, double end) {
-  std::vector<Piece> part;
+Pieces part_of(const Pieces& pieces, double begin, double end) {
+  Pieces part;
   double before = 0.0;
   for (const Piece& piece : pieces) {
     const double metres = length(piece);
@@ -266,7 +266,7 @@ std::vector<Piece> part_of(const std::vector<Piece>& pieces, double begin, doubl
   return part;
 }
 
-Pose pose_at(const std::vector<Piece>& pieces, double s) {
+Pose pose_at(const Pieces& pieces, double s) {
   for (const Piece& piece : pieces) {
     const double metres = length(piece);
     if (s <= metres) return facing(evaluate(piece, std::max(0.0, s)), piece.direction);

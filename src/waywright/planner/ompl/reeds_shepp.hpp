@@ -40,7 +40,7 @@ class ReedsShepp {
   ReedsSheppWord shortest(const Pose& from, const Pose& to) const;
   /// Lines and arcs with their directions, neighbours on one line or circle merged; empty where the poses are
   /// the same.
-  std::vector<Piece> between(const Pose& from, const Pose& to) const;
+  Pieces between(const Pose& from, const Pose& to) const;
   /// m
   double distance(const Pose& from, const Pose& to) const { return radius_ * shortest(from, to).length; }
 
@@ -51,13 +51,13 @@ class ReedsShepp {
 /// Appends a line or an arc; where it goes on on the last one's line or circle in the same direction, both
 /// become one piece.
 /// @pre `piece` begins where `pieces` end
-void append_merged(std::vector<Piece>& pieces, const Piece& piece);
+void append_merged(Pieces& pieces, const Piece& piece);
 
 /// The part of a path of lines and arcs from `begin` to `end` metres after its start. Parts under 1e-9 m are
 /// left out.
-std::vector<Piece> part_of(const std::vector<Piece>& pieces, double begin, double end);
+Pieces part_of(const Pieces& pieces, double begin, double end);
 
 /// The vehicle's pose `s` metres after the start. @pre lines and arcs alone, at least one
-Pose pose_at(const std::vector<Piece>& pieces, double s);
+Pose pose_at(const Pieces& pieces, double s);
 
 }  // namespace waywright

@@ -17,7 +17,7 @@ Pose random_pose(Random& random, double scale) {
   return {random.uniform(-scale, scale), random.uniform(-scale, scale), wrap(random.uniform(-4.0, 4.0))};
 }
 
-double total(const std::vector<Piece>& pieces) { return length(Path{pieces}); }
+double total(const Pieces& pieces) { return length(Path{pieces}); }
 
 TEST(ReedsShepp, PiecesJoinAndEndOnTheGoal) {
   const ReedsShepp curves{radius};
@@ -114,7 +114,7 @@ TEST(ReedsShepp, PartsOfAPathJoinToTheWhole) {
     EXPECT_LT(distance(end_pose(first.back()).position(), middle.position()), 1e-8);
     EXPECT_LT(distance(start_pose(second.front()).position(), middle.position()), 1e-8);
     EXPECT_LT(std::abs(shorter_turn(end_pose(first.back()).heading, middle.heading)), 1e-8);
-    std::vector<Piece> joined;
+    Pieces joined;
     for (const auto* part : {&first, &second}) {
       for (const Piece& piece : *part) append_merged(joined, piece);
     }

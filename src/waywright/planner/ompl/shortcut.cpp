@@ -12,7 +12,7 @@ constexpr double least_gain = 1e-6;  // m
 constexpr double sliver = 0.02;      // m: what would be left of a piece is not worth a joint of its own
 
 /// `s`, or the joint nearest to it where that is within a sliver.
-double snapped(const std::vector<Piece>& pieces, double s) {
+double snapped(const Pieces& pieces, double s) {
   double joint = 0.0;
   double nearest = 0.0;
   for (const Piece& piece : pieces) {
@@ -26,16 +26,16 @@ double snapped(const std::vector<Piece>& pieces, double s) {
 
 Path shortened(const Path& path, const ReedsShepp& curves, MotionTest& test, int attempts,
                std::uint64_t seed) {
-  std::vector<Piece> best = path.pieces;
+  Pieces best = path.pieces;
   double whole = length(path);
   const auto try_between = [&](double begin, double end) {
     if (end - begin < least_gain) return;
     const Pose from = begin <= 0.0 ? start_pose(best.front()) : pose_at(best, begin);
     const Pose to = end >= whole ? end_pose(best.back()) : pose_at(best, end);
     if (curves.distance(from, to) > end - begin - least_gain) return;
-    const std::vector<Piece> cut = curves.between(from, to);
+    const Pieces cut = curves.between(from, to);
     if (!test.motion_free(cut)) return;
-    std::vector<Piece> joined;
+    Pieces joined;
     for (const Piece& piece : part_of(best, 0.0, begin)) append_merged(joined, piece);
     for (const Piece& piece : cut) append_merged(joined, piece);
     for (const Piece& piece : part_of(best, end, whole)) append_merged(joined, piece);

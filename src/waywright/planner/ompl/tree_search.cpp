@@ -73,7 +73,7 @@ class Space final : public ob::SE2StateSpace {
     return curves_.distance(pose_of(from), pose_of(to));
   }
   void interpolate(const ob::State* from, const ob::State* to, double t, ob::State* state) const override {
-    const std::vector<Piece> pieces = curves_.between(pose_of(from), pose_of(to));
+    const Pieces pieces = curves_.between(pose_of(from), pose_of(to));
     if (t >= 1.0 || pieces.empty()) {
       if (to != state) copyState(state, to);
     } else {

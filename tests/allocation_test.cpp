@@ -1,0 +1,111 @@
+// Judging a docking path takes no memory once its workspaces are there: calls of operator new are counted.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+
+#include "waywright/optimizer/lattice_search.hpp"
+#include "waywright/planner/docking/fixture_stations.hpp"
+#include "waywright/planner/docking/pattern_docking.hpp"
+#include "waywright/proof/proof.hpp"
+#include "waywright/speed/speed.hpp"
+
+namespace {
+
+std::atomic<std::int64_t> allocations{0};
+
+void* counted(void* memory) {
+  ++allocations;
+  if (memory == nullptr) throw std::bad_alloc{};
+  return memory;
+}
+
+}  // namespace
+
+// new[] and the others end up here.
+void* operator new(std::size_t size) { return counted(std::malloc(size > 0 ? size : 1)); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  const auto a = static_cast<std::size_t>(alignment);
+  return counted(std::aligned_alloc(a, (size + a - 1) / a * a));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace waywright {
+namespace {
+
+using fixture::Id;
+
+/// The forks in, or out with the load: tines of 0.21 m, pockets 4 cm wider on each side.
+Scenario with_pockets(Manoeuvre manoeuvre) {
+  Scenario s = fixture::station(Id::d1, {3.0, -2.0, 0.4});
+  s.vehicle.footprint.polygon = {{-2.30, -0.45}, {-0.75, -0.45}, {-0.75, -0.33}, {0.40, -0.33}, {0.40, -0.12}, {-0.75, -0.12},
+                                 {-0.75, 0.12},  {0.40, 0.12},   {0.40, 0.33},   {-0.75, 0.33}, {-0.75, 0.45}, {-2.30, 0.45}};
+  s.vehicle.forks = {rectangle({-0.75, -0.33}, {0.40, -0.12}), rectangle({-0.75, 0.12}, {0.40, 0.33})};
+  s.vehicle.loads["pallet"] = {{rectangle({-0.75, -0.40}, {0.45, 0.40}), 0.0}, 800.0};
+  auto& station = std::get<Station>(s.mission);
+  station.manoeuvre = manoeuvre;
+  station.insertion = Insertion{1.0, {{-0.37, -0.08}, {0.08, 0.37}}};
+  if (manoeuvre == Manoeuvre::undock) s.carried_load = "pallet";
+  s.pose_error = {0.01, 0.01, 0.004};
+  return s;
+}
+
+std::vector<Scenario> scenarios() {
+  const Pose somewhere{-37.5, 12.25, 2.1};
+  std::vector<Scenario> all{fixture::station(Id::d0), fixture::station(Id::d1, somewhere), fixture::station(Id::d2), fixture::station(Id::d3),
+                            with_pockets(Manoeuvre::dock), with_pockets(Manoeuvre::undock)};
+  Scenario s = fixture::station(Id::d2, somewhere);
+  s.pose_error = {0.02, 0.01, 0.005};
+  s.clearance = 0.04;
+  s.vehicle.limits.curvature_rate = 1.0;
+  s.vehicle.limits.angular_acceleration = 0.5;
+  all.push_back(s);
+  s.vehicle.footprint = {{}, 0.6};
+  s.vehicle.drive = Differential{0.7};
+  all.push_back(s);
+  return all;
+}
+
+TEST(Allocation, JudgingADockingPathTakesNoMemory) {
+  for (const Scenario& scenario : scenarios()) {
+    const Problem problem = Problem::prepare(scenario).value();
+    Budget budget{scenario.budget};
+    const PlanningResult planned = PatternDockingPlanner{{}, std::make_shared<LatticeSearch>(), 1}.plan(problem, budget);
+    ASSERT_TRUE(planned) << planned.error().failure.reason;
+
+    ProofWorkspace proving{problem};
+    std::vector<Sample> samples;
+    samples.reserve(20'000);
+    SpeedWorkspace speeds;
+    speeds.reserve(samples.capacity());
+
+    const std::int64_t before = allocations;
+    const Path path = problem.whole_path(planned->path);
+    const Proof proof = prove(problem, path, {}, proving);
+    const Certificate certificate = proof.certificate;
+    sample(path, problem.footprint().radius(), certificate.tolerance, 0.05, samples);
+    const double time = assign_speed(samples, problem.vehicle(), 0.0, speeds);
+    const double greatest = greatest_start_speed(samples, problem.vehicle(), speeds);
+    EXPECT_EQ(allocations - before, 0) << path.pieces.size() << " pieces, " << samples.size() << " samples";
+
+    EXPECT_TRUE(proof.holds());
+    EXPECT_TRUE(certificate.tightest);
+    EXPECT_GT(samples.size(), 100U);
+    EXPECT_GT(time, 1.0);
+    EXPECT_GE(greatest, 0.0);
+  }
+}
+
+TEST(Allocation, IsCounted) {
+  const std::int64_t before = allocations;
+  const std::vector<int> list(7);
+  EXPECT_EQ(allocations - before, 1) << list.size();
+}
+
+}  // namespace
+}  // namespace waywright
