@@ -21,7 +21,7 @@ void grow(Box& box, const Box& other) {
   box.high.y = std::max(box.high.y, other.high.y);
 }
 
-double squared_gap(const Box& a, const Box& b) {
+inline double squared_gap(const Box& a, const Box& b) {
   const double dx = std::max(std::max(0.0, a.low.x - b.high.x), b.low.x - a.high.x);
   const double dy = std::max(std::max(0.0, a.low.y - b.high.y), b.low.y - a.high.y);
   return dx * dx + dy * dy;
@@ -101,13 +101,13 @@ class Outline {
     return left_of_all || odd ? 0.0 : best;
   }
 
-  /// Squared distance of a segment to the area, and the segment's nearest point; no better than `best` where it is not.
-  Candidate nearest(const Segment& s) const {
+  /// Squared distance of a segment to the area, and the segment's nearest point. `apart`: their boxes do not meet.
+  Candidate nearest(const Segment& s, bool apart) const {
     Candidate c{squared_distance(s.a), s.a};
     if (s.a == s.b || c.squared == 0.0) return c;
     if (const double at_b = squared_distance(s.b); at_b < c.squared) c = {at_b, s.b};
     if (c.squared == 0.0) return c;
-    for (std::size_t i = 0; i < edges_; ++i) {
+    for (std::size_t i = 0; !apart && i < edges_; ++i) {
       const Edge e = edge(i);
       if (!cross_each_other(e.a(), e.b(), s.a, s.b)) continue;
       return segment_to_segment(e.a(), e.b(), s.a, s.b);
@@ -210,8 +210,10 @@ Nearest ObstacleIndex::nearest(std::span<const Vec2> ring, double limit, std::si
     if (node.count > 0) {
       for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
         const Segment& s = segments_[i];
-        if (s.source == without || squared_gap(box_of(s), box) >= best) continue;
-        const Candidate c = outline.nearest(s);
+        if (s.source == without) continue;
+        const double gap = squared_gap(box_of(s), box);
+        if (gap >= best) continue;
+        const Candidate c = outline.nearest(s, gap > 0.0);
         if (c.squared < best) {
           best = c.squared;
           answer.point = c.on;
@@ -256,7 +258,8 @@ bool ObstacleIndex::is_clear(std::span<const Vec2> ring, double margin) const {
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       const Segment& s = segments_[i];
-      if (squared_gap(box_of(s), box) < limit2 && outline.nearest(s).squared < limit2) return false;
+      const double gap = squared_gap(box_of(s), box);
+      if (gap < limit2 && outline.nearest(s, gap > 0.0).squared < limit2) return false;
     }
   }
   return true;

@@ -79,6 +79,7 @@ TEST(PlanIo, EveryStatusWithoutAPathKeeps) {
     plan.samples.clear();
     plan.metrics = {};
     plan.certificate = {};
+    plan.tightest_obstacle.clear();
     const std::string text = plan_json(plan);
     const Json json = Json::parse(text);
     EXPECT_TRUE(json["path"].is_null() && json["metrics"].is_null() && json["certificate"].is_null());
