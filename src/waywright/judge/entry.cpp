@@ -6,7 +6,7 @@ namespace waywright {
 
 bool can_be_entered(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace) {
   const auto& motion = problem.motion();
-  return !motion || motion->speed <= greatest_start_speed(samples, problem.vehicle(), workspace) * (1.0 + entry_slack);
+  return !motion || can_start_with(samples, problem.vehicle(), motion->speed, workspace);
 }
 
 std::optional<Violation> check_entry(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace) {

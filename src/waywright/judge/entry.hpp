@@ -9,9 +9,6 @@
 
 namespace waywright {
 
-/// Share by which the speed may be over what the path allows: rounding of the profile.
-inline constexpr double entry_slack = 1e-6;
-
 /// True where the vehicle stands, or every limit can be kept along the samples from the speed that it has.
 bool can_be_entered(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace);
 

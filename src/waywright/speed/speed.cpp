@@ -22,6 +22,9 @@ constexpr double same_place = 1e-9;
 constexpr double turning_threshold = 1e-4;
 // m/s: where limits ask for less (a cusp), the vehicle stands for a moment.
 constexpr double creeping = 1e-6;
+// Shares of v²: rounding of a profile, and how far over its limits a moving start may be measured.
+constexpr double rounding = 2e-6;
+constexpr double measured = 2e-3;
 // Turning on the spot where the vehicle has no limit: rad/s and rad/s².
 constexpr double default_angular_speed = 1.0;
 constexpr double default_angular_acceleration = 1.0;
@@ -47,8 +50,21 @@ double turn_on_the_spot(const Sample& from, const Sample& to) {
   return on_the_spot || std::abs(turn) > turning_threshold ? turn : 0.0;
 }
 
-SpeedStep make_step(const Sample& from, const Sample& to, const Vehicle& vehicle) {
+/// m²/s², greatest v² at a sample by speed, lateral acceleration, angular speed and steering rate. @pre its curvature and rate are finite
+double cap_at(const Sample& at, int direction, const Vehicle& vehicle) {
   const Limits& limits = vehicle.limits;
+  double cap = square(direction < 0 ? limits.reverse_speed : limits.speed);
+  if (limits.lateral_acceleration) cap = std::min(cap, *limits.lateral_acceleration / std::abs(at.curvature));
+  if (limits.angular_speed) cap = std::min(cap, square(*limits.angular_speed / std::abs(at.curvature)));
+  if (const auto* tricycle = std::get_if<Tricycle>(&vehicle.drive); tricycle != nullptr && tricycle->max_steering_rate) {
+    // Steering angle atan(Lκ): its rate is Lκ′v / (1 + (Lκ)²).
+    const double per_metre = tricycle->wheelbase * std::abs(at.curvature_rate) / (1.0 + square(tricycle->wheelbase * at.curvature));
+    cap = std::min(cap, square(*tricycle->max_steering_rate / per_metre));
+  }
+  return cap;
+}
+
+SpeedStep make_step(const Sample& from, const Sample& to, const Vehicle& vehicle) {
   SpeedStep step;
   step.length = std::max(0.0, to.s - from.s);
   if (step.length <= same_place) {
@@ -63,19 +79,7 @@ SpeedStep make_step(const Sample& from, const Sample& to, const Vehicle& vehicle
     step.top = 0.0;
     return step;
   }
-  step.top = square(to.direction < 0 ? limits.reverse_speed : limits.speed);
-  if (limits.lateral_acceleration)
-    step.top = std::min(step.top, *limits.lateral_acceleration / step.curvature);
-  if (limits.angular_speed) step.top = std::min(step.top, square(*limits.angular_speed / step.curvature));
-  if (const auto* tricycle = std::get_if<Tricycle>(&vehicle.drive);
-      tricycle != nullptr && tricycle->max_steering_rate) {
-    // Steering angle atan(Lκ): its rate is Lκ′v / (1 + (Lκ)²).
-    for (const Sample* end : {&from, &to}) {
-      const double per_metre = tricycle->wheelbase * std::abs(end->curvature_rate) /
-                               (1.0 + square(tricycle->wheelbase * end->curvature));
-      step.top = std::min(step.top, square(*tricycle->max_steering_rate / per_metre));
-    }
-  }
+  step.top = std::min(cap_at(from, to.direction, vehicle), cap_at(to, to.direction, vehicle));
   return step;
 }
 
@@ -95,13 +99,13 @@ struct Interval {
 
 class Profile {
  public:
-  /// The first sample is passed with at most `start_speed`.
+  /// The first sample is passed with `start_speed` where it can be, else with the greatest speed with which it can.
   Profile(const std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed, SpeedWorkspace& workspace)
-      : samples_{samples}, limits_{vehicle.limits}, steps_{workspace.steps}, caps_{workspace.caps}, w_{workspace.squares} {
+      : samples_{samples}, vehicle_{vehicle}, limits_{vehicle.limits}, steps_{workspace.steps}, caps_{workspace.caps}, w_{workspace.squares} {
     const std::size_t n = samples.size();
     steps_.clear();
     caps_.assign(n, infinity);
-    caps_.front() = square(start_speed);
+    if (start_speed == 0.0) caps_.front() = 0.0;
     caps_.back() = 0.0;
     for (std::size_t i = 0; i + 1 < n; ++i) {
       const Sample& a = samples[i];
@@ -114,9 +118,11 @@ class Profile {
       if (cap < square(creeping)) cap = 0.0;
     }
     backward();
+    starts_so_ = brakes_from(square(start_speed));
   }
 
-  /// m²/s², the greatest v² with which the first sample can be passed so that the rest can be driven.
+  bool starts_as_wanted() const { return starts_so_; }
+  /// m²/s², v² of the first sample.
   double start() const { return w_.front(); }
 
   /// v² of every sample.
@@ -167,6 +173,39 @@ class Profile {
     }
   }
 
+  /// Brakes from w at the first sample as hard as may be until the profile is met, under what each sample's own curvature allows. (Caps of
+  /// steps are those of their worse end: who takes up a path between another's samples meets other caps than that did.) False where
+  /// the profile is not met: it is left as it was.
+  bool brakes_from(double w) {
+    if (w <= w_.front() * (1.0 + rounding)) {
+      w_.front() = std::min(w_.front(), w);
+      return true;
+    }
+    std::size_t met = 0;
+    for (double v = w; v > w_[met] * (1.0 + rounding); ++met) {
+      if (met + 1 == w_.size() || caps_[met] == 0.0 || v > cap_at(samples_[met], samples_[met].direction, vehicle_) * (1.0 + measured)) return false;
+      v = braked(met, v);
+      if (v < 0.0) return false;
+    }
+    for (std::size_t i = 0; i < met; ++i) {
+      const double next = braked(i, w);
+      w_[i] = w;
+      w = next;
+    }
+    return true;
+  }
+  /// w at the end of step i, braked as hard as may be; negative where the limits leave no acceleration.
+  double braked(std::size_t i, double w) const {
+    if (steps_[i].length == 0.0) return w;
+    double a = -limits_.deceleration;
+    if (limits_.angular_acceleration) {
+      const Interval all = accelerations(i, w, infinity);
+      if (all.empty()) return -1.0;
+      a = all.low;
+    }
+    return std::max(0.0, w + 2.0 * a * steps_[i].length);
+  }
+
   void forward() {
     for (std::size_t i = 0; i + 1 < w_.size(); ++i) {
       if (steps_[i].length == 0.0) {
@@ -180,10 +219,12 @@ class Profile {
   }
 
   const std::vector<Sample>& samples_;
+  const Vehicle& vehicle_;
   const Limits& limits_;
   std::vector<SpeedStep>& steps_;
   std::vector<double>& caps_;
   std::vector<double>& w_;
+  bool starts_so_ = true;
 };
 
 /// s from rest to rest over a distance (or angle), speeding up and slowing down, not above `top`.
@@ -279,6 +320,10 @@ double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double
 double greatest_start_speed(const std::vector<Sample>& samples, const Vehicle& vehicle, SpeedWorkspace& workspace) {
   if (samples.empty()) return 0.0;
   return std::sqrt(Profile{samples, vehicle, infinity, workspace}.start());
+}
+
+bool can_start_with(const std::vector<Sample>& samples, const Vehicle& vehicle, double speed, SpeedWorkspace& workspace) {
+  return !samples.empty() && Profile{samples, vehicle, speed, workspace}.starts_as_wanted();
 }
 
 void SpeedWorkspace::reserve(std::size_t samples) {

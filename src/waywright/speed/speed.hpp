@@ -19,8 +19,10 @@ namespace waywright {
 /// absent); a steered wheel that has to turn while the vehicle stands is waited for. Laws: t never decreases
 /// and is finite; speed ≥ 0; limits hold at both ends of every step. Returns the total time in s.
 ///
-/// With a `start_speed` (m/s, ≥ 0, in the first sample's direction) the first sample is passed with it instead of at rest, or with the
-/// greatest speed from which the rest can be driven where that is less. A turn on the spot begins at rest.
+/// With a `start_speed` (m/s, ≥ 0, in the first sample's direction) the first sample is passed with it instead of at rest; where that
+/// cannot be (can_start_with), with the greatest speed that can. From a speed over that of the profile, which is made for the worse end
+/// of each step, it brakes as hard as may be until it meets the profile, under what the samples' own curvature allows. A turn on the spot
+/// begins at rest.
 /// @pre s never decreases; limits > 0
 double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed = 0.0);
 
@@ -43,7 +45,11 @@ struct SpeedWorkspace {
 };
 double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed, SpeedWorkspace& workspace);
 
-/// Greatest speed in m/s with which the first sample can be passed so that the rest keeps all limits; 0 where the vehicle must stand there.
+/// Can the first sample be passed with this speed (m/s, > 0) so that the rest keeps all limits? 0.1 % over a limit there is allowed for: speeds
+/// are measured.
+bool can_start_with(const std::vector<Sample>& samples, const Vehicle& vehicle, double speed, SpeedWorkspace& workspace);
+
+/// Greatest speed in m/s with which the first sample can surely be passed so: that of the profile. 0 where the vehicle must stand there.
 double greatest_start_speed(const std::vector<Sample>& samples, const Vehicle& vehicle, SpeedWorkspace& workspace);
 
 /// s that a step takes at least which begins and ends at rest and moves between.

@@ -67,11 +67,12 @@ TEST(Speed, EveryLimitHoldsOnRandomPaths) {
   }
 }
 
-// What begins at the greatest speed, or at any under it, comes to an end within the limits; what should begin faster begins at the greatest.
+// What begins at the greatest speed, or at any under it, comes to an end within the limits; what should begin faster does where braking is
+// enough, and keeps them at its samples then; else it begins at the greatest.
 TEST(Speed, EveryLimitHoldsFromAMovingStart) {
   Random random{23};
   SpeedWorkspace workspace;
-  int moving = 0;
+  int moving = 0, braking = 0;
   for (int i = 0; i < 3000; ++i) {
     const Vehicle vehicle = random_vehicle(random);
     auto samples = random_path(random, std::holds_alternative<Differential>(vehicle.drive));
@@ -81,13 +82,18 @@ TEST(Speed, EveryLimitHoldsFromAMovingStart) {
     assign_speed(samples, vehicle, greatest, workspace);
     ASSERT_NEAR(samples.front().speed, greatest, 1e-12 * greatest) << "path " << i;
     ASSERT_EQ(broken_limit(samples, vehicle, 1e-6, samples.front().speed), "") << "path " << i;
-    assign_speed(samples, vehicle, 2.0 * greatest);
-    ASSERT_EQ(samples.front().speed, greatest) << "path " << i;
+    const double faster = greatest * random.uniform(1.0, 1.5);
+    const bool can = can_start_with(samples, vehicle, faster, workspace);
+    assign_speed(samples, vehicle, faster);
+    ASSERT_NEAR(samples.front().speed, can ? faster : greatest, 1e-5 * faster) << "path " << i;
+    ASSERT_EQ(broken_limit(samples, vehicle, 2e-3, samples.front().speed), "") << "path " << i;
+    braking += can ? 1 : 0;
     const double slower = greatest * random.uniform(0.01, 0.999);
     assign_speed(samples, vehicle, slower);
     ASSERT_EQ(broken_limit(samples, vehicle, 1e-6, slower), "") << "path " << i;
   }
   EXPECT_GT(moving, 2000);
+  EXPECT_GT(braking, 20);
 }
 
 // What is left of a path is driven no slower than as a part of the whole, whichever sample it begins with.
