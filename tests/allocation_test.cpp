@@ -6,11 +6,13 @@
 #include <cstdlib>
 #include <new>
 
+#include "waywright/docking/docking.hpp"
 #include "waywright/optimizer/lattice_search.hpp"
 #include "waywright/planner/docking/fixture_stations.hpp"
 #include "waywright/planner/docking/pattern_docking.hpp"
 #include "waywright/proof/proof.hpp"
 #include "waywright/speed/speed.hpp"
+#include "waywright/study/generate.hpp"
 
 namespace {
 
@@ -24,16 +26,16 @@ void* counted(void* memory) {
 
 }  // namespace
 
-// new[] and the others end up here.
-void* operator new(std::size_t size) { return counted(std::malloc(size > 0 ? size : 1)); }
-void* operator new(std::size_t size, std::align_val_t alignment) {
+// new[] and the others end up here. (Inlined, they look mismatched to the compiler.)
+[[gnu::noinline]] void* operator new(std::size_t size) { return counted(std::malloc(size > 0 ? size : 1)); }
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
   const auto a = static_cast<std::size_t>(alignment);
   return counted(std::aligned_alloc(a, (size + a - 1) / a * a));
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 namespace waywright {
 namespace {
@@ -98,6 +100,62 @@ TEST(Allocation, JudgingADockingPathTakesNoMemory) {
     EXPECT_GT(samples.size(), 100U);
     EXPECT_GT(time, 1.0);
     EXPECT_GE(greatest, 0.0);
+  }
+}
+
+/// The first plan of a session already.
+void plans_without_memory(const Scenario& scenario, Status wanted) {
+  const auto docking = Docking::prepare(scenario);
+  ASSERT_TRUE(docking) << docking.error().message();
+  auto session = DockingSession::on(*docking);
+  ASSERT_TRUE(session);
+  const std::int64_t before = allocations;
+  const DockingPlan& plan = session->plan();
+  EXPECT_EQ(allocations - before, 0) << plan.evaluations << " evaluations, " << plan.samples.size() << " samples";
+  EXPECT_EQ(plan.status, wanted) << session->reason();
+  if (plan.status != Status::solved) return;
+  // Carried on from half way, with the shelf a little elsewhere.
+  const Handover half = handover_at(plan.path, plan.samples, 0.4 * plan.travel_time);
+  Shelf shelf = std::get<Station>(scenario.mission).shelf;
+  if (std::get<Station>(scenario.mission).manoeuvre == Manoeuvre::undock) return;
+  shelf.center = shelf.center + Vec2{0.01, -0.01};
+  const auto moved = docking->from(half.pose, half.motion, shelf);
+  ASSERT_TRUE(moved) << moved.error().message();
+  auto again = DockingSession::on(*moved);
+  ASSERT_TRUE(again);
+  const std::int64_t then = allocations;
+  const DockingPlan& next = again->replan(plan, half.driven);
+  EXPECT_EQ(allocations - then, 0) << (next.is_carried_on ? "carried on" : "planned anew");
+}
+
+TEST(Allocation, AWholePlanTakesNoMemory) {
+  for (const Scenario& scenario : scenarios()) plans_without_memory(scenario, Status::solved);
+}
+
+TEST(Allocation, APlanFromAMovingStartTakesNone) {
+  Scenario s = fixture::station(Id::d1, {3.0, -2.0, 0.4});
+  for (const double speed : {-0.7, 0.5}) {
+    s.start_motion = {speed, 0.15};
+    plans_without_memory(s, Status::solved);
+  }
+}
+
+TEST(Allocation, NeitherDoesOneThatFindsNothing) {
+  Scenario walled = fixture::station(Id::d0);
+  walled.map.lines.push_back({{3.6, -7.0}, {3.6, 7.0}});
+  plans_without_memory(walled, Status::no_path);
+}
+
+TEST(Allocation, NorPlansInRandomStations) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Scenario scenario = generate_station(seed).value();
+    const auto docking = Docking::prepare(scenario);
+    ASSERT_TRUE(docking) << docking.error().message();
+    auto session = DockingSession::on(*docking);
+    ASSERT_TRUE(session);
+    const std::int64_t before = allocations;
+    const DockingPlan& plan = session->plan();
+    EXPECT_EQ(allocations - before, 0) << "seed " << seed << ", status " << to_string(plan.status);
   }
 }
 

@@ -65,9 +65,9 @@ std::optional<Violation> too_near(const Finding& finding, const char* what, doub
 constexpr std::size_t usual_pieces = 8;
 constexpr std::size_t usual_curves = 16;
 
-std::vector<SweptBody> bodies_of(const std::vector<Ring>& rings) {
+std::vector<SweptBody> bodies_of(const std::vector<Footprint>& parts) {
   std::vector<SweptBody> bodies;
-  for (const Ring& ring : rings) bodies.emplace_back(Footprint{ring, 0.0});
+  for (const Footprint& part : parts) bodies.emplace_back(part);
   return bodies;
 }
 

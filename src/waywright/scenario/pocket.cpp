@@ -84,8 +84,8 @@ std::variant<PocketMotion, InputError> make_pocket_motion(const Vehicle& vehicle
   motion.outer = outer;
   const Frame face = shelf.face();
   motion.inner = make_pose(face.to_world(Vec2{front - insertion.depth, shelf.slot}), outer.heading);
-  motion.forks = vehicle.forks;
-  motion.rest = std::move(rest);
+  for (const Ring& fork : vehicle.forks) motion.forks.push_back({fork, 0.0});
+  for (Ring& ring : rest) motion.rest.push_back({std::move(ring), 0.0});
   motion.shelf.add_obstacle(shelf.outline(), "the shelf");
   motion.shelf.build();
   for (const Ring& strip : beside_pockets(shelf, insertion.pockets)) {
@@ -98,15 +98,15 @@ std::variant<PocketMotion, InputError> make_pocket_motion(const Vehicle& vehicle
 PocketContacts contacts_at(const PocketMotion& pocket, const World& world, const Footprint& footprint, const Pose& pose, double enough) {
   PocketContacts contacts;
   contacts.vehicle = world.clearance(footprint, pose, enough, pocket.shelf_source);
-  for (const Ring& ring : pocket.rest) {
-    const Contact to_shelf = pocket.shelf.clearance(Footprint{ring, 0.0}, pose, enough);
+  for (const Footprint& part : pocket.rest) {
+    const Contact to_shelf = pocket.shelf.clearance(part, pose, enough);
     if (to_shelf.clearance >= contacts.vehicle.clearance) continue;
     contacts.vehicle = to_shelf;
     contacts.is_shelf = true;
   }
   contacts.forks.clearance = enough;
-  for (const Ring& fork : pocket.forks) {
-    const Contact beside = pocket.beside_pockets.clearance(Footprint{fork, 0.0}, pose, enough);
+  for (const Footprint& fork : pocket.forks) {
+    const Contact beside = pocket.beside_pockets.clearance(fork, pose, enough);
     if (beside.clearance < contacts.forks.clearance) contacts.forks = beside;
   }
   return contacts;

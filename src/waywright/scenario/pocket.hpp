@@ -17,8 +17,8 @@ namespace waywright {
 struct PocketMotion {
   Pose outer{};             ///< docked
   Pose inner{};             ///< the forks are in
-  std::vector<Ring> forks;  ///< body frame
-  std::vector<Ring> rest;   ///< of the vehicle without load and forks, body frame
+  std::vector<Footprint> forks;
+  std::vector<Footprint> rest;  ///< of the vehicle without load and forks
   World shelf;              ///< the shelf alone, solid
   World beside_pockets;     ///< its parts that are not pocket
   std::size_t shelf_source = World::nothing;  ///< of the shelf in the problem's world

@@ -54,7 +54,11 @@ CandidateEvaluator::CandidateEvaluator(const PreparedDocking& prepared, const la
       curvature_limit_{prepared.problem().vehicle().max_curvature() * limit_share},
       has_rate_limit_{prepared.problem().vehicle().limits.curvature_rate.has_value()},
       rate_limit_{prepared.problem().vehicle().limits.curvature_rate.value_or(std::numeric_limits<double>::infinity()) *
-                  limit_share} {}
+                  limit_share} {
+  if (!prepared.problem().motion()) return;
+  entry_.resize(lanes::samples + 2);  // with both straight runs
+  timing_.reserve(entry_.size());
+}
 
 CandidateScore CandidateEvaluator::measure(const DockingPattern& pattern) {
   CandidateScore score;
@@ -76,12 +80,7 @@ CandidateScore CandidateEvaluator::measure(const DockingPattern& pattern) {
   return score;
 }
 
-void CandidateEvaluator::enter_with(double speed) {
-  entry_speed_ = speed;
-  if (speed == 0.0 || !entry_.empty()) return;
-  entry_.resize(lanes::samples + 2);  // with both straight runs
-  timing_.reserve(entry_.size());
-}
+void CandidateEvaluator::enter_with(double speed) { entry_speed_ = speed; }
 
 /// Of the way back, at the end of which the vehicle stands.
 double CandidateEvaluator::greatest_entry_speed(const PatternPoints& points) {

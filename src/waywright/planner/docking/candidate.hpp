@@ -44,6 +44,7 @@ class CandidateEvaluator {
     return score;
   }
   /// From now on patterns are entered with this speed, m/s backwards: one that is too short or too bent to be driven from it is not feasible.
+  /// @pre 0, or the problem's vehicle moves
   void enter_with(double speed);
   /// In two steps: measures and limits …
   CandidateScore measure(const DockingPattern& pattern);
@@ -71,7 +72,7 @@ class CandidateEvaluator {
   bool has_rate_limit_;
   double rate_limit_;
   double entry_speed_ = 0.0;
-  std::vector<Sample> entry_;  ///< the way back, where it is entered in motion
+  std::vector<Sample> entry_;  ///< the way back, of a vehicle that moves
   SpeedWorkspace timing_;
   std::array<lanes::Track, 2> tracks_;
 };
