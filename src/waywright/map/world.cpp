@@ -1,26 +1,33 @@
 #include "waywright/map/world.hpp"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <limits>
 
 #include "waywright/core/result.hpp"
 
 namespace waywright {
+namespace {
 
-PlacedOutline::PlacedOutline(const Footprint& footprint, const Pose& pose) {
-  if (footprint.is_disc()) {
-    small_[0] = pose.position();
-    count_ = 1;
-    return;
+/// A footprint's outline placed in the world; a disc is its centre. Up to 64 corners need no memory of their own.
+class PlacedOutline {
+ public:
+  PlacedOutline(const Footprint& footprint, const Pose& pose) {
+    if (footprint.is_disc()) {
+      corners_.push_back(pose.position());
+      return;
+    }
+    const Frame frame{pose};
+    for (const Vec2 p : footprint.polygon) corners_.push_back(frame.to_world(p));
   }
-  const Frame frame{pose};
-  if (footprint.polygon.size() > capacity) {
-    large_ = transformed(footprint.polygon, frame);
-    return;
-  }
-  for (const Vec2 p : footprint.polygon) small_[count_++] = frame.to_world(p);
-}
+  std::span<const Vec2> ring() const { return {corners_.data(), corners_.size()}; }
+
+ private:
+  boost::container::small_vector<Vec2, 64> corners_;
+};
+
+}  // namespace
 
 World::World(const Map& map) : map_{map} {
   for (std::size_t i = 0; i < map.boundaries.size(); ++i) {

@@ -2,7 +2,6 @@
 // inside tests beside it. Immutable once built; safe to read from many threads.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -20,19 +19,6 @@ struct Contact {
   Vec2 point{};             ///< obstacle's nearest point, world frame
   std::size_t source = 0;   ///< index for World::source_name
   bool outside = false;     ///< the pose is outside a boundary or the grid, rather than against an obstacle
-};
-
-/// A footprint's outline placed in the world; a disc is its centre. Small footprints need no allocation.
-class PlacedOutline {
- public:
-  PlacedOutline(const Footprint& footprint, const Pose& pose);
-  std::span<const Vec2> ring() const { return large_.empty() ? std::span<const Vec2>{small_.data(), count_} : large_; }
-
- private:
-  static constexpr std::size_t capacity = 24;
-  std::array<Vec2, capacity> small_;
-  std::size_t count_ = 0;
-  std::vector<Vec2> large_;
 };
 
 class World {

@@ -126,6 +126,24 @@ TEST(Sampling, ThereAreNeverMoreThanTheMost) {
   EXPECT_LE(sample(path, radius, tolerance).size(), most_samples + 2 * 302);
 }
 
+// What is bounded at a glance is decided as by counting, on paths of any size, cusps among them.
+TEST(Sampling, WhetherThereAreTooManyIsAsCounted) {
+  Random random{12};
+  int too_many = 0, few = 0;
+  for (int i = 0; i < 2000; ++i) {
+    BezierSpan span;
+    span.degree = static_cast<int>(random.integer(1, 5));
+    const double size = std::pow(10.0, random.uniform(-1.0, 6.0));
+    for (Vec2& p : span.control) p = {size * random.uniform(-1, 1), size * random.uniform(-1, 1)};
+    const Path path{{{Spline{SplineKind::quintic, {span}}, 1}}};
+    const bool can = samples_needed(path, radius, tolerance) <= most_samples;
+    EXPECT_EQ(can_be_sampled(path, radius, tolerance), can) << i;
+    ++(can ? few : too_many);
+  }
+  EXPECT_GT(few, 500);
+  EXPECT_GT(too_many, 50);
+}
+
 TEST(Sampling, TurnsOnTheSpotKeepTheirPlace) {
   const Path path{{{Turn{{1, 2}, 3.0, 1.0}, 0}}};
   const auto samples = sample(path, 1.0, tolerance);

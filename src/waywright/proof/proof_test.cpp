@@ -269,6 +269,23 @@ TEST(Proof, ACanceledProofIsUndecided) {
   EXPECT_FALSE(prove(problem, path, options).certificate.collision_free);
 }
 
+TEST(Proof, AWorkspaceLeavesNothingBehind) {
+  Random random{31};
+  const Footprint footprint = random_footprint(random);
+  const Problem problem = problem_for(random_map(random, {.boxes = 6, .points = 10}), random_path(random), footprint);
+  ProofWorkspace workspace{problem};
+  for (int i = 0; i < 200; ++i) {
+    const Path path = random_path(random);
+    const Proof fresh = prove(problem, path), again = prove(problem, path, {}, workspace);
+    EXPECT_EQ(fresh.certificate.clearance, again.certificate.clearance) << i;
+    EXPECT_EQ(fresh.certificate.checked_length, again.certificate.checked_length) << i;
+    EXPECT_EQ(fresh.certificate.tightest, again.certificate.tightest) << i;
+    EXPECT_EQ(fresh.certificate.tightest_source, again.certificate.tightest_source) << i;
+    ASSERT_EQ(fresh.violations.size(), again.violations.size()) << i;
+    for (std::size_t k = 0; k < fresh.violations.size(); ++k) EXPECT_EQ(fresh.violations[k].sentence, again.violations[k].sentence);
+  }
+}
+
 TEST(Proof, NothingNearIsNoTightestPlace) {
   Map map;
   map.points = {{5.0, 90.0}};
