@@ -44,9 +44,14 @@ bool PatternSolver::stands(const Path& whole) {
   const Problem& problem = prepared_.problem();
   path_ = whole;
   proof_ = prove(problem, path_, {}, proving_);
-  if (!proof_.holds()) return false;
-  sample(path_, problem.footprint().radius(), proof_.certificate.tolerance, sample_step, samples_);
-  return can_be_entered(problem, samples_, timing_);
+  is_sampled_ = false;
+  return proof_.holds() && (!problem.motion() || can_be_entered(problem, samples(), timing_));
+}
+
+std::vector<Sample>& PatternSolver::samples() {
+  if (!is_sampled_) sample(path_, prepared_.problem().footprint().radius(), proof_.certificate.tolerance, sample_step, samples_);
+  is_sampled_ = true;
+  return samples_;
 }
 
 Path path_of(const SideFound& side) { return pattern_path(splines_of(side.pattern)); }

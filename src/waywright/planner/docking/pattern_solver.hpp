@@ -29,7 +29,7 @@ class PatternSolver {
   bool tried_in_motion() const { return tried_in_motion_; }
   const Path& path() const { return path_; }            ///< the whole mission's, where one stands
   const Proof& proof() const { return proof_; }         ///< its proof
-  std::vector<Sample>& samples() { return samples_; }   ///< its samples, without t and speed
+  std::vector<Sample>& samples();                       ///< its samples, without t and speed
 
  private:
   SideFound* best_standing(const PatternEntry& entry, std::int64_t evaluations, bool second_choice, Budget& budget);
@@ -46,6 +46,7 @@ class PatternSolver {
   Path path_;
   Proof proof_;
   std::vector<Sample> samples_;
+  bool is_sampled_ = false;
 };
 
 /// The path that a planner offers for a side: back, then forth.
