@@ -47,7 +47,7 @@ class Docking {
   Docking& operator=(Docking&&) noexcept;
   ~Docking();
 
-  /// Plans from the scenario's start, in motion where `start_motion` says so. Work is at most `options.evaluations` candidates a side (five times as many where none serves), or
+  /// Plans from the scenario's start, in motion where `start_motion` says so. Work is at most `options.evaluations` candidates a side (four times as many where none serves), or
   /// what `limits` says; with `limits.seconds` or `cancel` raised, the best plan so far. Safe to call from many threads at once.
   DockingPlan plan(const BudgetLimits& limits = {}, const std::atomic<bool>* cancel = nullptr) const noexcept;
 

@@ -62,6 +62,11 @@ class Run final : public ResumableSearch {
     start_over(options);
   }
 
+  void extend(std::int64_t evaluations) override {
+    all_ = evaluations;
+    seen_.reserve(static_cast<std::size_t>(std::clamp<std::int64_t>(all_, 0, most_seen)));
+  }
+
   void start_over(const SearchOptions& options) override {
     all_ = options.evaluations;
     cliff_ = tuning_.cliff;

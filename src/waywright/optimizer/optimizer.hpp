@@ -49,6 +49,8 @@ class ResumableSearch {
   /// Goes on until `evaluations` in all are done, or the budget is exhausted. The cost function is the same each time.
   virtual void advance(const CostFunction& cost, std::int64_t evaluations, Budget& budget) = 0;
   virtual const SearchResult& result() const = 0;
+  /// Its evaluations become more: it goes on from what it knows. Nothing is allocated as below.
+  virtual void extend(std::int64_t evaluations) = 0;
   /// Halted before its first evaluation again, in the same space: as begun anew, in the memory that it has. Allocates nothing where it was
   /// begun with at least as many evaluations.
   virtual void start_over(const SearchOptions& options) = 0;

@@ -43,6 +43,11 @@ class PatternSearch::OneSide {
     plain_ = {};
     if (resumable_) resumable_->start_over(search_);
   }
+  void extend(std::int64_t evaluations) {
+    search_.evaluations = evaluations;
+    plain_ = {};
+    if (resumable_) resumable_->extend(evaluations);
+  }
   /// Goes on to a share of all its evaluations; all at once where the optimizer cannot be halted.
   void advance(double share, Budget& budget) {
     if (search_.evaluations < 1) return;
@@ -103,12 +108,23 @@ std::vector<SideFound>& PatternSearch::search(const PatternEntry& entry, std::in
   const std::vector<Zone>& zones = prepared_.task().zones;
   evaluator_.enter_with(entry.speed);
   SideShares shares{zones, options_.sides, evaluations, budget, second_choice};
-  double best = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     if (!sides_[i]) continue;
     OneSide& side = *sides_[i];
     side.start_over(entry.start, shares.next(), seed + (zones[i].side == Side::left ? 0 : 1));
   }
+  return compare_sides(budget);
+}
+
+std::vector<SideFound>& PatternSearch::search_on(std::int64_t evaluations, Budget& budget) {
+  for (const auto& side : sides_) {
+    if (side) side->extend(evaluations);
+  }
+  return compare_sides(budget);
+}
+
+std::vector<SideFound>& PatternSearch::compare_sides(Budget& budget) {
+  double best = std::numeric_limits<double>::infinity();
   for (const auto& side : sides_) {
     if (!side) continue;
     side->advance(first_share, budget);

@@ -42,9 +42,12 @@ class PatternSearch {
   /// part is kept where there is a second choice. Both sides get a first share of the work; then a side that is worse by far than the
   /// other one is given up.
   std::vector<SideFound>& search(const PatternEntry& entry, std::int64_t evaluations, std::uint64_t seed, bool second_choice, Budget& budget);
+  /// The last search goes on to so many evaluations a side, those done included; begun anew where the optimizer cannot be halted.
+  std::vector<SideFound>& search_on(std::int64_t evaluations, Budget& budget);
 
  private:
   class OneSide;
+  std::vector<SideFound>& compare_sides(Budget& budget);
   const PreparedDocking& prepared_;
   const PatternDockingOptions& options_;
   CandidateEvaluator evaluator_;

@@ -20,20 +20,20 @@ const SideFound* PatternSolver::solve(bool second_choice, Budget& budget) {
   if (const auto& motion = problem.motion(); motion && motion->direction < 0) {
     tried_in_motion_ = in_motion_ = true;
     const PatternEntry moving{{placement_of(problem.first_pose()), motion->curvature}, motion->speed};
-    if (const SideFound* best = best_standing(moving, options_.evaluations, true, budget)) return best;
+    if (const SideFound* best = best_standing(search_.search(moving, options_.evaluations, seed_, true, budget))) return best;
     in_motion_ = false;
     if (budget.exhausted()) return nullptr;
   }
   const PatternEntry standing{{placement_of(problem.start())}};
-  if (const SideFound* best = best_standing(standing, options_.evaluations, second_choice, budget)) return best;
+  if (const SideFound* best = best_standing(search_.search(standing, options_.evaluations, seed_, second_choice, budget))) return best;
   if (budget.limits().evaluations || budget.exhausted()) return nullptr;
-  return best_standing(standing, options_.evaluations * harder_times, second_choice, budget);
+  return best_standing(search_.search_on(options_.evaluations * harder_times, budget));
 }
 
 /// The search allows for what is between its samples by estimates; what the proof does not confirm is not offered.
-SideFound* PatternSolver::best_standing(const PatternEntry& entry, std::int64_t evaluations, bool second_choice, Budget& budget) {
-  sides_ = &search_.search(entry, evaluations, seed_, second_choice, budget);
-  while (SideFound* best = best_of(*sides_)) {
+SideFound* PatternSolver::best_standing(std::vector<SideFound>& sides) {
+  sides_ = &sides;
+  while (SideFound* best = best_of(sides)) {
     if (stands(prepared_.problem().whole_path(path_of(*best), in_motion_))) return best;
     best->refused = true;
   }

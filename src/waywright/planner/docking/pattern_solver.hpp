@@ -32,7 +32,7 @@ class PatternSolver {
   std::vector<Sample>& samples();                       ///< its samples, without t and speed
 
  private:
-  SideFound* best_standing(const PatternEntry& entry, std::int64_t evaluations, bool second_choice, Budget& budget);
+  SideFound* best_standing(std::vector<SideFound>& sides);
 
   const PreparedDocking& prepared_;
   const PatternDockingOptions& options_;

@@ -9,7 +9,7 @@ namespace waywright {
 namespace {
 
 constexpr double reserve = 0.001;        // m beyond what is required
-constexpr double coarse_bulge = 0.15;    // m
+constexpr double coarse_bulge = 0.20;    // m
 constexpr double fine_bulge = 0.02;      // m
 constexpr int most_discs = 16;
 constexpr double pad = 0.5;              // m of field around where the vehicle may stand
