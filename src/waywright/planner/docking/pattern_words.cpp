@@ -12,9 +12,9 @@ struct FirstContact {
   std::optional<Contact> contact;
 };
 FirstContact first_contact(const Problem& problem, const Path& path) {
-  for (const Sample& s : sample(path, problem.footprint().radius(), 0.01, 0.02)) {
-    const Contact contact = problem.world().clearance(problem.footprint(), s.pose(), problem.required_clearance() + 0.01);
-    if (contact.clearance < problem.required_clearance()) return {s.s, contact};
+  for (const RoughPose& at : rough_poses(path, 0.02)) {
+    const Contact contact = problem.world().clearance(problem.footprint(), at.pose, problem.required_clearance() + 0.01);
+    if (contact.clearance < problem.required_clearance()) return {at.driven, contact};
   }
   return {};
 }

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "waywright/curve/bezier.hpp"
 
 namespace waywright {
 
@@ -75,9 +78,24 @@ std::string left_out_sentence(const Zone& zone) {
       to_string(zone.side), zone.of, zone.width, zone.needed, zone.needed - zone.width);
 }
 
-std::vector<Pose> sketch(const Path& path) {
-  std::vector<Pose> poses;
-  for (const Sample& s : sample(path, 0.0, 0.01, 0.12)) poses.push_back(s.pose());
+std::vector<RoughPose> rough_poses(const Path& path, double step) {
+  constexpr double longest = 1e3;  // m: beyond it steps are longer
+  std::vector<RoughPose> poses;
+  double driven = 0.0;
+  for (const Piece& piece : path.pieces) {
+    const auto* spline = std::get_if<Spline>(&piece.curve);
+    if (spline == nullptr) continue;
+    for (const BezierSpan& span : spline->spans) {
+      const int parts = 1 + static_cast<int>(std::min(arc_length(span), longest) / step);
+      Vec2 before = span.control[0];
+      for (int i = 0; i <= parts; ++i) {
+        const CurvePoint at = evaluate(span, static_cast<double>(i) / parts);
+        driven += distance(before, at.position);
+        before = at.position;
+        poses.push_back({driven, make_pose(at.position, piece.direction < 0 ? wrap(at.course + pi) : at.course)});
+      }
+    }
+  }
   return poses;
 }
 
@@ -91,7 +109,7 @@ std::vector<Alternative> alternatives_of(const DockingTask& task, const std::vec
     a.chosen = &outcome == chosen;
     if (outcome.feasible) a.cost = outcome.cost;
     a.outcome = outcome.sentence;
-    if (!outcome.path.pieces.empty()) a.poses = sketch(outcome.path);
+    for (const RoughPose& p : rough_poses(outcome.path, 0.12)) a.poses.push_back(p.pose);
     const Zone& zone = task.zones[i];
     if (!zone.polygons.empty()) a.zone = transformed(zone.polygons.front(), task.frame);
     alternatives.push_back(std::move(a));

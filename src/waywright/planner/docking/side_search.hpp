@@ -56,8 +56,13 @@ std::string not_searched_sentence(Side side, const Budget& budget);
 /// Why a side was left out, with figures.
 std::string left_out_sentence(const Zone& zone);
 
-/// A picture's worth of a path: about a hundred poses.
-std::vector<Pose> sketch(const Path& path);
+/// Where the vehicle is after so many metres, about.
+struct RoughPose {
+  double driven = 0.0;
+  Pose pose{};
+};
+/// Poses of a path of splines about `step` metres apart, however sharply it bends: for pictures and words, also of what cannot be driven.
+std::vector<RoughPose> rough_poses(const Path& path, double step);
 
 /// "the left side: cost 0.97" and so on, for report and plan file.
 std::vector<Alternative> alternatives_of(const DockingTask& task, const std::vector<SideOutcome>& outcomes,
