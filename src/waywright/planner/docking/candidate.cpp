@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "waywright/curve/bezier.hpp"
 #include "waywright/planner/docking/sweep.hpp"
@@ -163,26 +164,39 @@ void CandidateEvaluator::check(const DockingPattern& pattern, CandidateScore& sc
     return blocked((k == 0 ? head : middle) + length_up_to(tracks_[k], known), pose.position, pose.heading);
   }
 
+  // Poses first: most of what is not free shows at one, and sweeps cost more.
+  struct Interval {
+    std::size_t track;
+    int index;
+  };
+  std::array<Interval, 2 * (lanes::samples - 1)> unsettled;
+  std::size_t count = 0;
+  const auto is_at_end = [&](std::size_t k, int i) { return (k == 0 && i == 0 && head == 0.0) || (k == 1 && i + 2 == lanes::samples && tail == 0.0); };
+  const auto driven_to = [&](std::size_t k, int i) { return (k == 0 ? head : middle) + length_up_to(tracks_[k], i); };
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
-    const SweptQuintic quintic{k == 0 ? pattern.back : pattern.forth, k == 0 ? -1 : 1};
     for (int i = 0; i + 1 < lanes::samples; ++i) {
       if (!is_open(screens[k], i)) continue;
-      const bool at_end = (k == 0 && i == 0 && head == 0.0) || (k == 1 && i + 2 == lanes::samples && tail == 0.0);
       const auto at = static_cast<std::size_t>(i);
-      if (!at_end && sweep_.is_surely_clear(pose_at(tracks_[k], at), pose_at(tracks_[k], at + 1), wanted, bow_of(tracks_[k], at))) continue;
-      const Placement end = pose_at(tracks_[k], at + 1);
-      if (!at_end && !sweep_.is_free(end, wanted)) return blocked((k == 0 ? head : middle) + length_up_to(tracks_[k], i), end.position, end.heading);
-      constexpr double h = 1.0 / (lanes::samples - 1);
-      if (sweep_.is_clear(quintic, i * h, (i + 1) * h, at_end ? at_ends : wanted)) continue;
-      const SweptQuintic::State state = quintic.at((i + 1) * h);
-      return blocked((k == 0 ? head : middle) + length_up_to(tracks_[k], i), state.position, state.heading);
+      if (!is_at_end(k, i)) {
+        const Placement end = pose_at(tracks_[k], at + 1);
+        if (sweep_.is_surely_clear(pose_at(tracks_[k], at), end, wanted, bow_of(tracks_[k], at))) continue;
+        if (!sweep_.is_free(end, wanted)) return blocked(driven_to(k, i), end.position, end.heading);
+      }
+      unsettled[count++] = {k, i};
     }
-    if (k == 0 && back[2] != back[3] && !sweep_.is_clear(back[2], back[3], heading_of(pattern.back, true, -1.0), wanted)) {
-      return blocked(middle - distance(back[2], back[3]), back[3], heading_of(pattern.back, true, -1.0));
-    }
+  }
+  if (back[2] != back[3] && !sweep_.is_clear(back[2], back[3], heading_of(pattern.back, true, -1.0), wanted)) {
+    return blocked(middle - distance(back[2], back[3]), back[3], heading_of(pattern.back, true, -1.0));
   }
   if (tail > 0.0 && !dock_run_.is_clear(sweep_, forth[2], forth[3], heading_of(pattern.forth, true, 1.0), at_ends)) {
     return blocked(score.measures.length - tail, forth[3], heading_of(pattern.forth, true, 1.0));
+  }
+  for (const auto [k, i] : std::span{unsettled.data(), count}) {
+    const SweptQuintic quintic{k == 0 ? pattern.back : pattern.forth, k == 0 ? -1 : 1};
+    constexpr double h = 1.0 / (lanes::samples - 1);
+    if (sweep_.is_clear(quintic, i * h, (i + 1) * h, is_at_end(k, i) ? at_ends : wanted)) continue;
+    const SweptQuintic::State state = quintic.at((i + 1) * h);
+    return blocked(driven_to(k, i), state.position, state.heading);
   }
   score.reach = 1.0;
   score.deficit = 0.0;

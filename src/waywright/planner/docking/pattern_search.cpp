@@ -1,6 +1,7 @@
 #include "waywright/planner/docking/pattern_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -13,7 +14,7 @@ namespace {
 constexpr Vec2 published_reference{4.0, 3.5};
 constexpr double published_curvature = 0.8;
 
-constexpr double first_share = 0.3;         // of the evaluations of a side, before sides are compared
+constexpr std::array shares_of_work{0.3, 0.5, 0.75, 1.0};  // of the evaluations of a side: after each of them sides are compared
 constexpr double by_far = 1.1;              // a side that costs more than this times the other one's best is given up
 constexpr double infeasible_costs = 100.0;  // graded costs from here on stand for what is not feasible
 
@@ -124,19 +125,21 @@ std::vector<SideFound>& PatternSearch::search_on(std::int64_t evaluations, Budge
 }
 
 std::vector<SideFound>& PatternSearch::compare_sides(Budget& budget) {
-  double best = std::numeric_limits<double>::infinity();
-  for (const auto& side : sides_) {
-    if (!side) continue;
-    side->advance(first_share, budget);
-    if (side->is_feasible()) best = std::min(best, side->result().cost);
+  for (SideFound& found : found_) found = {};
+  for (const double share : shares_of_work) {
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      if (!sides_[i] || found_[i].given_up) continue;
+      sides_[i]->advance(share, budget);
+      if (sides_[i]->is_feasible()) best = std::min(best, sides_[i]->result().cost);
+    }
+    if (!std::isfinite(best)) continue;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      if (sides_[i] && !(sides_[i]->is_feasible() && sides_[i]->result().cost <= by_far * best)) found_[i].given_up = true;
+    }
   }
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    found_[i] = {};
-    if (!sides_[i]) continue;
-    OneSide& side = *sides_[i];
-    found_[i].given_up = std::isfinite(best) && !(side.is_feasible() && side.result().cost <= by_far * best);
-    if (!found_[i].given_up) side.advance(1.0, budget);
-    side.tell(found_[i]);
+    if (sides_[i]) sides_[i]->tell(found_[i]);
   }
   return found_;
 }

@@ -11,8 +11,10 @@ struct FirstContact {
   double driven = 0.0;  ///< m
   std::optional<Contact> contact;
 };
-FirstContact first_contact(const Problem& problem, const Path& path) {
+FirstContact first_contact(const PreparedDocking& prepared, const Path& path) {
+  const Problem& problem = prepared.problem();
   for (const RoughPose& at : rough_poses(path, 0.02)) {
+    if (prepared.is_surely_clear(at.pose) || problem.world().is_free(problem.footprint(), at.pose, problem.required_clearance())) continue;
     const Contact contact = problem.world().clearance(problem.footprint(), at.pose, problem.required_clearance() + 0.01);
     if (contact.clearance < problem.required_clearance()) return {at.driven, contact};
   }
@@ -57,7 +59,7 @@ SideOutcome outcome_of(const PreparedDocking& prepared, const Zone& zone, const 
   outcome.feasible = found.feasible && !found.refused;
   outcome.cost = found.cost;
   if (!score.free) {
-    const FirstContact first = first_contact(problem, outcome.path);
+    const FirstContact first = first_contact(prepared, outcome.path);
     // The search wants a little more room than is required: then where that is missing.
     outcome.contact = first.contact ? first.contact : problem.world().clearance(problem.footprint(), score.blocked_at, 1.0);
     outcome.reach = first.contact ? first.driven : score.reach * score.measures.length;

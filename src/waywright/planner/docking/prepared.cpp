@@ -78,6 +78,13 @@ PreparedDocking::PreparedDocking(const Problem& problem)
   fine_ = lanes_of(fine);
 }
 
+bool PreparedDocking::is_surely_clear(const Pose& pose) const {
+  const Frame body{pose};
+  return std::all_of(fine_.begin(), fine_.end(), [&](const lanes::Disc& disc) {
+    return field_.at(body.to_world(Vec2{static_cast<double>(disc.x), static_cast<double>(disc.y)})) > disc.outer;
+  });
+}
+
 lanes::Field PreparedDocking::lane_field() const {
   return {field_.values().data(), field_.row_shift(), field_.columns() - 1, field_.rows() - 1, static_cast<float>(1.0 / field_.cell())};
 }

@@ -25,6 +25,8 @@ class PreparedDocking {
   double disc() const { return disc_; }              ///< m, of a disc footprint; 0 for a polygon
   const std::vector<Ring>& parts() const { return parts_; }  ///< convex, body frame; a disc is its centre
 
+  /// Where the field alone shows that the footprint keeps the wanted clearance.
+  bool is_surely_clear(const Pose& pose) const;
   lanes::Field lane_field() const;
   lanes::Discs coarse() const { return {coarse_.data(), static_cast<int>(coarse_.size())}; }
   lanes::Discs fine() const { return {fine_.data(), static_cast<int>(fine_.size())}; }

@@ -96,8 +96,9 @@ bool Sweep::hulls_are_clear(const State& a, const State& b, double margin) {
 
 bool Sweep::between(const SweptQuintic& quintic, double u0, const State& a, double u1, const State& b, double margin,
                     int halvings) {
-  if (hulls_are_clear(a, b, margin + bow(a, b, u1 - u0, prepared_.radius()))) return true;
-  if (halvings == 0 || !hulls_are_clear(b, b, margin)) return false;
+  const Placement first{a.position, a.heading}, last{b.position, b.heading};
+  if (is_surely_clear(first, last, margin, bow(a, b, u1 - u0, prepared_.radius()))) return true;
+  if (halvings == 0 || !is_free(last, margin)) return false;
   const double u = 0.5 * (u0 + u1);
   const State middle = quintic.at(u);
   return between(quintic, u0, a, u, middle, margin, halvings - 1) && between(quintic, u, middle, u1, b, margin, halvings - 1);
