@@ -11,11 +11,11 @@ namespace waywright {
 enum class SideChoice { both, left, right };
 enum class DockingObjective { normalised, exponential };
 
-/// Where no candidate of a search serves, so many times as many are tried.
+/// Where no candidate of a search serves it goes on, to twice as many and at last to so many times as many.
 inline constexpr int harder_times = 4;
 
 struct PatternDockingOptions {
-  /// Candidates per side, ≥ 1; where none of them serves, harder_times as many are tried before the second choice is asked. A scenario's
+  /// Candidates per side, ≥ 1; where none of them serves, up to harder_times as many are tried before the second choice is asked. A scenario's
   /// budget.evaluations takes its place, for all sides together.
   std::int64_t evaluations = 600;
   int population = 20;              ///< of optimisers that have one

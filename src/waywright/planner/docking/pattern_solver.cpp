@@ -26,8 +26,10 @@ const SideFound* PatternSolver::solve(bool second_choice, Budget& budget) {
   }
   const PatternEntry standing{{placement_of(problem.start())}};
   if (const SideFound* best = best_standing(search_.search(standing, options_.evaluations, seed_, second_choice, budget))) return best;
-  if (budget.limits().evaluations || budget.exhausted()) return nullptr;
-  return best_standing(search_.search_on(options_.evaluations * harder_times, budget));
+  for (int times = 2; times <= harder_times && !budget.limits().evaluations && !budget.exhausted(); times *= 2) {
+    if (const SideFound* best = best_standing(search_.search_on(options_.evaluations * times, budget))) return best;
+  }
+  return nullptr;
 }
 
 /// The search allows for what is between its samples by estimates; what the proof does not confirm is not offered.

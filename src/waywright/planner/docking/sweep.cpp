@@ -11,7 +11,7 @@
 namespace waywright {
 namespace {
 
-constexpr int most_halvings = 5;
+constexpr int most_halvings = 3;  // to a 64th of what a stretch bows
 
 Vec2 placed(const SweptQuintic::State& at, Vec2 p) {
   return at.position + p.x * at.heading + p.y * left_of(at.heading);
@@ -98,10 +98,13 @@ bool Sweep::between(const SweptQuintic& quintic, double u0, const State& a, doub
                     int halvings) {
   const Placement first{a.position, a.heading}, last{b.position, b.heading};
   if (is_surely_clear(first, last, margin, bow(a, b, u1 - u0, prepared_.radius()))) return true;
-  if (halvings == 0 || !is_free(last, margin)) return false;
+  return halvings > 0 && is_free(last, margin) && both_halves(quintic, u0, a, u1, b, margin, halvings - 1);
+}
+
+bool Sweep::both_halves(const SweptQuintic& quintic, double u0, const State& a, double u1, const State& b, double margin, int halvings) {
   const double u = 0.5 * (u0 + u1);
   const State middle = quintic.at(u);
-  return between(quintic, u0, a, u, middle, margin, halvings - 1) && between(quintic, u, middle, u1, b, margin, halvings - 1);
+  return between(quintic, u0, a, u, middle, margin, halvings) && between(quintic, u, middle, u1, b, margin, halvings);
 }
 
 bool Sweep::is_free(const Placement& pose, double margin) {
@@ -163,7 +166,7 @@ bool Sweep::is_surely_clear(const Placement& a, const Placement& b, double margi
 }
 
 bool Sweep::is_clear(const SweptQuintic& quintic, double u0, double u1, double margin) {
-  return between(quintic, u0, quintic.at(u0), u1, quintic.at(u1), margin, most_halvings);
+  return both_halves(quintic, u0, quintic.at(u0), u1, quintic.at(u1), margin, most_halvings - 1);
 }
 
 bool Sweep::is_clear(Vec2 from, Vec2 to, Vec2 heading, double margin) {

@@ -29,7 +29,8 @@ class Sweep {
  public:
   explicit Sweep(const PreparedDocking& prepared);
 
-  /// True where the footprint keeps more than `margin` from everything for u in [u0, u1]; halves the stretch a few times before it says no.
+  /// True where the footprint keeps more than `margin` from everything for u in [u0, u1]: asked of both halves of the stretch, which are halved
+  /// a few times before it says no.
   bool is_clear(const SweptQuintic& quintic, double u0, double u1, double margin);
   /// The same for a straight motion with one heading (a unit vector).
   bool is_clear(Vec2 from, Vec2 to, Vec2 heading, double margin);
@@ -43,6 +44,7 @@ class Sweep {
  private:
   using State = SweptQuintic::State;
   bool between(const SweptQuintic& quintic, double u0, const State& a, double u1, const State& b, double margin, int halvings);
+  bool both_halves(const SweptQuintic& quintic, double u0, const State& a, double u1, const State& b, double margin, int halvings);
   bool hulls_are_clear(const State& a, const State& b, double margin);
 
   const PreparedDocking& prepared_;
