@@ -13,9 +13,9 @@ namespace {
 
 constexpr int most_halvings = 3;  // to a 64th of what a stretch bows
 
-Vec2 placed(const SweptQuintic::State& at, Vec2 p) {
-  return at.position + p.x * at.heading + p.y * left_of(at.heading);
-}
+constexpr std::size_t most_corners = 16;  // of a convex part that is tested by separating lines
+
+Vec2 placed(const auto& at, Vec2 p) { return at.position + p.x * at.heading + p.y * left_of(at.heading); }
 
 /// How far a pose between can be from the straight interpolation of both ends, with half as much again for what the derivatives do
 /// between them.
@@ -108,61 +108,69 @@ bool Sweep::both_halves(const SweptQuintic& quintic, double u0, const State& a, 
 }
 
 bool Sweep::is_free(const Placement& pose, double margin) {
+  // What stands wholly inside something solid is known from the field: only what crosses its outline is asked about here.
+  const double away = margin + prepared_.disc();
+  std::array<Vec2, most_corners> corners;
   for (const Ring& part : prepared_.parts()) {
-    corners_.clear();
-    for (const Vec2 p : part) corners_.push_back(pose.position + p.x * pose.heading + p.y * left_of(pose.heading));
-    // What stands wholly inside something solid is known from the field: only what crosses its outline is asked about here.
-    if (!prepared_.problem().world().index().is_clear(corners_, margin + prepared_.disc())) return false;
+    const std::size_t n = part.size();
+    if (n > most_corners) {
+      corners_.clear();
+      for (const Vec2 p : part) corners_.push_back(placed(pose, p));
+      if (!prepared_.problem().world().index().is_clear(corners_, away)) return false;
+      continue;
+    }
+    for (std::size_t i = 0; i < n; ++i) corners[i] = placed(pose, part[i]);
+    if (!all_beyond({corners.data(), n}, n, away)) return false;
   }
   return true;
 }
 
 bool Sweep::is_surely_clear(const Placement& a, const Placement& b, double margin, double bow) const {
-  constexpr std::size_t most_corners = 16;
   const double away = margin + bow + prepared_.disc();
   std::array<Vec2, 2 * most_corners> corners;
   for (const Ring& part : prepared_.parts()) {
     const std::size_t n = part.size();
     if (n > most_corners) return false;
-    Box box;
     for (std::size_t i = 0; i < n; ++i) {
-      const Vec2 p = a.position + part[i].x * a.heading + part[i].y * left_of(a.heading);
-      const Vec2 q = b.position + part[i].x * b.heading + part[i].y * left_of(b.heading);
-      corners[i] = p;
-      corners[n + i] = q;
-      const Box both{{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}};
-      box = i == 0 ? both
-                   : Box{{std::min(box.low.x, both.low.x), std::min(box.low.y, both.low.y)},
-                         {std::max(box.high.x, both.high.x), std::max(box.high.y, both.high.y)}};
+      corners[i] = placed(a, part[i]);
+      corners[n + i] = placed(b, part[i]);
     }
-    box = {box.low - Vec2{away, away}, box.high + Vec2{away, away}};
-    const std::span<const Vec2> both{corners.data(), 2 * n};
-    KnownBorders known;
-    const auto is_beyond = [&](const Segment& s) {
-      if (known.leave_beyond(s)) return true;
-      // From the nearest corner: exact where that is what comes nearest.
-      Vec2 nearest{};
-      double least = std::numeric_limits<double>::infinity();
-      const Vec2 d = s.b - s.a;
-      const double inverse = d == Vec2{} ? 0.0 : 1.0 / squared_norm(d);
-      for (const Vec2 c : both) {
-        const Vec2 to = s.a + std::clamp(dot(c - s.a, d) * inverse, 0.0, 1.0) * d - c;
-        if (const double squared = squared_norm(to); squared < least) {
-          least = squared;
-          nearest = to;
-        }
-      }
-      if (least <= away * away) return false;
-      if (known.try_border(border_along(both, nearest, away), s)) return true;
-      for (std::size_t i = 0; i < 2 * n; ++i) {
-        const Vec2 edge = corners[i < n ? (i + 1) % n : n + (i + 1 - n) % n] - corners[i];
-        if (known.try_border(border_along(both, {edge.y, -edge.x}, away), s)) return true;
-      }
-      return false;
-    };
-    if (!prepared_.problem().world().index().all_of(box, is_beyond)) return false;
+    if (!all_beyond({corners.data(), 2 * n}, n, away)) return false;
   }
   return true;
+}
+
+/// Is every obstacle beyond a line that is `away` from all corners, which are those of convex polygons of n corners each? Lines along the
+/// polygons' edges and across the way from the corner that is nearest: of one polygon, some line separates whatever is farther.
+bool Sweep::all_beyond(std::span<const Vec2> corners, std::size_t n, double away) const {
+  Box box{corners[0], corners[0]};
+  for (const Vec2 c : corners.subspan(1)) box = {{std::min(box.low.x, c.x), std::min(box.low.y, c.y)}, {std::max(box.high.x, c.x), std::max(box.high.y, c.y)}};
+  box = {box.low - Vec2{away, away}, box.high + Vec2{away, away}};
+  KnownBorders known;
+  return prepared_.problem().world().index().all_of(box, [&](const Segment& s) {
+    if (known.leave_beyond(s)) return true;
+    // From the nearest corner: exact where that is what comes nearest.
+    Vec2 nearest{};
+    double least = std::numeric_limits<double>::infinity();
+    const Vec2 d = s.b - s.a;
+    const double inverse = d == Vec2{} ? 0.0 : 1.0 / squared_norm(d);
+    for (const Vec2 c : corners) {
+      const Vec2 to = s.a + std::clamp(dot(c - s.a, d) * inverse, 0.0, 1.0) * d - c;
+      if (const double squared = squared_norm(to); squared < least) {
+        least = squared;
+        nearest = to;
+      }
+    }
+    if (least <= away * away) return false;
+    if (known.try_border(border_along(corners, nearest, away), s)) return true;
+    for (std::size_t first = 0; first < corners.size(); first += n) {
+      for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 edge = corners[first + (i + 1) % n] - corners[first + i];
+        if (known.try_border(border_along(corners, {edge.y, -edge.x}, away), s)) return true;
+      }
+    }
+    return false;
+  });
 }
 
 bool Sweep::is_clear(const SweptQuintic& quintic, double u0, double u1, double margin) {

@@ -1,6 +1,7 @@
 // The footprint swept along a short motion, asked of the world: what a search asks where the clearance field leaves a motion open.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "waywright/curve/curve.hpp"
@@ -45,6 +46,7 @@ class Sweep {
   using State = SweptQuintic::State;
   bool between(const SweptQuintic& quintic, double u0, const State& a, double u1, const State& b, double margin, int halvings);
   bool both_halves(const SweptQuintic& quintic, double u0, const State& a, double u1, const State& b, double margin, int halvings);
+  bool all_beyond(std::span<const Vec2> corners, std::size_t n, double away) const;
   bool hulls_are_clear(const State& a, const State& b, double margin);
 
   const PreparedDocking& prepared_;
