@@ -1,6 +1,7 @@
 // What every registered planner keeps, whatever it is: the one test that admits a planner.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <thread>
 
 #include "waywright/io/plan_io.hpp"
@@ -112,6 +113,43 @@ TEST_P(Conformance, ObeysCancelAndDeadline) {
   const Plan late = *solve(Problem::prepare(scenario).value());
   EXPECT_EQ(late.status, Status::timed_out);
   EXPECT_FALSE(late.reproducible);
+}
+
+TEST_P(Conformance, EndsOnAFlagThatIsRaisedWhileItWorks) {
+  Scenario scenario = example("dock_impossible.json", planner()).scenario();
+  for (const ParameterDescription& p : planner().parameters) {
+    if (p.name == "evaluations") scenario.planner.parameters[p.name] = p.high;  // far more than can be done meanwhile
+  }
+  const Problem problem = Problem::prepare(scenario).value();
+  std::atomic<bool> cancel{false};
+  std::thread other{[&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds{20});
+    cancel = true;
+  }};
+  const Plan plan = *solve(problem, &cancel);
+  other.join();
+  EXPECT_EQ(plan.status, Status::canceled);
+  EXPECT_FALSE(plan.reproducible);
+  EXPECT_FALSE(plan.reason.empty());
+}
+
+TEST_P(Conformance, TakesOverAVehicleThatMoves) {
+  Scenario scenario = example("dock_middle.json", planner()).scenario();
+  for (const StartMotion motion : {StartMotion{-0.6, 0.1}, StartMotion{0.4, 0.0}, StartMotion{0.4, -0.2}}) {
+    scenario.start_motion = motion;
+    const Plan plan = *solve(Problem::prepare(scenario).value());
+    if (plan.samples.empty()) {
+      EXPECT_FALSE(plan.reason.empty());
+      continue;
+    }
+    EXPECT_NEAR(plan.samples.front().speed, std::abs(motion.speed), 1e-5) << planner().name;
+    EXPECT_EQ(plan.samples.front().direction, motion.speed < 0.0 ? -1 : 1);
+    EXPECT_NEAR(plan.samples.front().curvature, motion.curvature, 1e-6);
+    const Plan read = parse_plan(plan_json(plan), "plan.json").value();
+    EXPECT_EQ(read.scenario.start_motion.speed, motion.speed);
+    const Verification verification = verify(read).value();
+    EXPECT_EQ(verification.holds, plan.status == Status::solved) << verification.findings.front();
+  }
 }
 
 TEST_P(Conformance, FailsWithItsCause) {

@@ -46,19 +46,35 @@ std::array<Vec2, 6> hodograph(const std::array<Vec2, 6>& points, int degree) {
   return d;
 }
 
+/// A derivative's coefficients of 1, u, u², …
+using Derivative = std::array<Vec2, 5>;
+Derivative derivative_of(const BezierSpan& span) {
+  constexpr std::array<std::array<double, 5>, 5> binomial{{{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}}};
+  std::array<Vec2, 6> d = hodograph(span.control, span.degree);
+  const auto degree = static_cast<std::size_t>(span.degree - 1);
+  Derivative power{};
+  for (std::size_t k = 0; k <= degree; ++k) {
+    power[k] = binomial[degree][k] * d[0];
+    for (std::size_t i = 0; i + k < degree; ++i) d[i] = d[i + 1] - d[i];  // the next differences
+  }
+  return power;
+}
+
+double speed_at(const Derivative& d, double u) {
+  const Vec2 at = d[0] + u * (d[1] + u * (d[2] + u * (d[3] + u * d[4])));
+  return norm(at);
+}
+
 /// Length of the span with this derivative over [a, b].
-double gauss(const BezierSpan& derivative, double a, double b) {
+double gauss(const Derivative& derivative, double a, double b) {
   const double half = 0.5 * (b - a);
   const double middle = 0.5 * (a + b);
-  const auto speed = [&](double u) { return norm(de_casteljau(derivative.control, derivative.degree, u)); };
   double sum = 0.0;
   for (std::size_t i = 0; i < gauss_node.size(); ++i) {
-    sum += gauss_weight[i] * (speed(middle - half * gauss_node[i]) + speed(middle + half * gauss_node[i]));
+    sum += gauss_weight[i] * (speed_at(derivative, middle - half * gauss_node[i]) + speed_at(derivative, middle + half * gauss_node[i]));
   }
   return half * sum;
 }
-
-BezierSpan derivative_of(const BezierSpan& span) { return {span.degree - 1, hodograph(span.control, span.degree)}; }
 
 /// Solves the tridiagonal system with diagonal 2(h[i−1]+h[i]) for the second derivatives inside (Thomas).
 std::vector<Vec2> natural_second_derivatives(std::span<const Vec2> points, const std::vector<double>& h) {
@@ -143,7 +159,7 @@ std::pair<BezierSpan, BezierSpan> halve(const BezierSpan& span) {
 
 double arc_length(const BezierSpan& span, double u0, double u1, int parts) {
   if (span.degree == 1) return (u1 - u0) * distance(span.control[0], span.control[1]);
-  const BezierSpan derivative = derivative_of(span);
+  const Derivative derivative = derivative_of(span);
   double sum = 0.0;
   for (int i = 0; i < parts; ++i) {
     const double a = u0 + (u1 - u0) * i / parts;
@@ -159,8 +175,8 @@ double control_length(const BezierSpan& span) {
   return sum;
 }
 
-ArcLengthTable::ArcLengthTable(const BezierSpan& span) : derivative_{derivative_of(span)} {
-  if (span.degree == 1) {
+ArcLengthTable::ArcLengthTable(const BezierSpan& span) : derivative_{derivative_of(span)}, is_straight_{span.degree == 1} {
+  if (is_straight_) {
     cumulative_.back() = distance(span.control[0], span.control[1]);
     return;
   }
@@ -173,24 +189,31 @@ double ArcLengthTable::parameter(double s) const {
   const double total = length();
   if (!(s > 0.0) || !(total > 0.0)) return 0.0;
   if (s >= total) return 1.0;
-  if (derivative_.degree == 0) return s / total;
+  if (is_straight_) return s / total;
   const auto upper = std::upper_bound(cumulative_.begin(), cumulative_.end(), s);
   const auto part = static_cast<std::size_t>(upper - cumulative_.begin()) - 1;
   const double low = static_cast<double>(part) / parts;
   const double high = static_cast<double>(part + 1) / parts;
   const double rest = s - cumulative_[part];
+  const double whole = cumulative_[part + 1] - cumulative_[part];
   double a = low;
   double b = high;
-  double u = low + (high - low) * rest / (cumulative_[part + 1] - cumulative_[part]);
+  // u over s as a cubic through both ends of the part, where its slope is one over the speed.
+  const double t = rest / whole;
+  const double before = whole / speed_at(derivative_, low), after = whole / speed_at(derivative_, high);
+  double u = low + t * (before + t * (3.0 * (high - low) - 2.0 * before - after + t * (before + after - 2.0 * (high - low))));
+  if (!(u > low && u < high)) u = low + (high - low) * t;
   for (int i = 0; i < 30; ++i) {  // Newton, kept inside a shrinking bracket
     const double error = gauss(derivative_, low, u) - rest;
     if (std::abs(error) <= 1e-14 * total) break;
     (error > 0.0 ? b : a) = u;
-    const double v = norm(de_casteljau(derivative_.control, derivative_.degree, u));
+    const double v = speed_at(derivative_, u);
     double next = v > 0.0 ? u - error / v : 0.5 * (a + b);
     if (!(next > a && next < b)) next = 0.5 * (a + b);
+    const bool is_enough = std::abs(error) <= 1e-7 * whole && next == u - error / v;  // its error is squared by this step
     if (next == u) break;
     u = next;
+    if (is_enough) break;
   }
   return u;
 }

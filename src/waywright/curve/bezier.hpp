@@ -42,7 +42,8 @@ class ArcLengthTable {
 
  private:
   static constexpr std::size_t parts = 32;
-  BezierSpan derivative_;                       ///< of degree 0 where the span is straight
+  std::array<Vec2, 5> derivative_;              ///< coefficients of 1, u, u², …
+  bool is_straight_;
   std::array<double, parts + 1> cumulative_{};  ///< at u = i / parts; of a straight span only the last counts
 };
 
