@@ -131,9 +131,10 @@ Vec2 ByteSource::point(Vec2 low, Vec2 high) {
   return {x, real(low.y, high.y)};
 }
 
-Scenario station_of(const std::string& bytes) {
+StationBytes station_of(const std::string& bytes) {
   ByteSource source{bytes};
-  Scenario s;
+  StationBytes made;
+  Scenario& s = made.scenario;
   s.vehicle = vehicle_of(source);
   Station station;
   station.shelf.depth = source.real(0.3, 0.6);
@@ -161,7 +162,14 @@ Scenario station_of(const std::string& bytes) {
   const double reach = source.one_in(8) ? 0.99e6 : 50.0;
   if (!source.one_in(4)) place(s, station, Frame{make_pose(source.point({-reach, -reach}, {reach, reach}), source.real(-pi, pi))});
   s.mission = station;
-  return s;
+  if (source.one_in(2) && station.manoeuvre == Manoeuvre::dock) s.start_motion = {source.real(-1.0, 0.6), source.one_in(2) ? source.real(-0.8, 0.8) : 0.0};
+  made.surprise.at = source.real(0.0, 1.0);
+  if (source.one_in(2)) made.surprise.shelf = make_pose(source.point({-0.04, -0.04}, {0.04, 0.04}), source.real(-0.02, 0.02));
+  if (source.one_in(4)) {
+    made.surprise.vehicle = make_pose(source.point({-0.02, -0.02}, {0.02, 0.02}), source.real(-0.02, 0.02));
+    made.surprise.curvature = source.real(-0.05, 0.05);
+  }
+  return made;
 }
 
 }  // namespace waywright::fuzz

@@ -26,7 +26,18 @@ class ByteSource {
   double before_ = 0.0;
 };
 
-/// Not checked yet: what a reader would refuse may be in it.
-Scenario station_of(const std::string& bytes);
+/// What is found while a plan is driven.
+struct Surprise {
+  double at = 0.0;           ///< share of the plan's time
+  Pose shelf{};              ///< how far the shelf is off, in its own frame
+  Pose vehicle{};            ///< how far the vehicle is off the plan, in its own frame
+  double curvature = 0.0;    ///< 1/m, by how much its way bends more
+};
+
+struct StationBytes {
+  Scenario scenario;  ///< not checked yet: what a reader would refuse may be in it
+  Surprise surprise;
+};
+StationBytes station_of(const std::string& bytes);
 
 }  // namespace waywright::fuzz

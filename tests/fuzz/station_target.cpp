@@ -13,6 +13,7 @@
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/judge/judge.hpp"
 #include "waywright/planner/registry.hpp"
+#include "waywright/planner/replan.hpp"
 
 namespace waywright::fuzz {
 namespace {
@@ -36,11 +37,46 @@ void confirm(const Problem& problem, const Plan& plan) {
   }
 }
 
+/// What every plan keeps; false where it found nothing.
+bool stands(const Problem& problem, const Plan& plan) {
+  require((plan.status == Status::solved) == plan.reason.empty(), "a reason is given where there is no solution, and only there");
+  if (plan.status != Status::solved) return false;
+  confirm(problem, plan);
+  const auto read = parse_plan(plan_json(plan), "plan.json");
+  require(read.has_value(), "a plan's file is read");
+  const auto verification = verify(*read);
+  require(verification.has_value(), "a plan's scenario is prepared again");
+  require(verification->holds, verification->holds ? "" : "a solved plan verifies: " + verification->findings.front());
+  const double off = plan.samples.front().speed - std::abs(problem.scenario().start_motion.speed);
+  require(std::abs(off) <= 1e-5, fmt::format("a plan begins at the vehicle's speed, and not {} m/s off it", off));
+  return true;
+}
+
+/// On the way the shelf and the vehicle turn out to be elsewhere.
+void drive_into(const Surprise& surprise, const Problem& problem, const Plan& plan) {
+  if (problem.is_driven_back()) return;
+  const Handover now = handover_at(plan.path, plan.samples, surprise.at * plan.samples.back().t);
+  Scenario scenario = problem.scenario();
+  scenario.start = Frame{now.pose}.to_world(surprise.vehicle);
+  scenario.start_motion = now.motion;
+  scenario.start_motion.curvature += surprise.curvature;
+  Shelf& shelf = std::get<Station>(scenario.mission).shelf;
+  const Pose where = Frame{make_pose(shelf.center, shelf.heading)}.to_world(surprise.shelf);
+  shelf.center = where.position();
+  shelf.heading = where.heading;
+  const auto changed = Problem::prepare(scenario);
+  if (!changed) return require_sentence(changed.error());
+  const auto next = replan(*changed, plan.path, now.driven);
+  require(next.has_value(), "the planner's parameters still fit");
+  stands(*changed, *next);
+}
+
 }  // namespace
 
 Outcome run_station(const std::string& bytes) {
+  const auto [made, surprise] = station_of(bytes);
   // Through the writer and the reader, whose checks and repairs the rest builds on.
-  const auto scenario = parse_scenario(scenario_json(station_of(bytes)), "station", {});
+  const auto scenario = parse_scenario(scenario_json(made), "station", {});
   if (!scenario) {
     require_sentence(scenario.error());
     return Outcome::refused;
@@ -55,14 +91,8 @@ Outcome run_station(const std::string& bytes) {
   }
   const auto plan = solve(*problem);
   require(plan.has_value(), "the planner's parameters fit");
-  require((plan->status == Status::solved) == plan->reason.empty(), "a reason is given where there is no solution, and only there");
-  if (plan->status != Status::solved) return Outcome::refused;
-  confirm(*problem, *plan);
-  const auto read = parse_plan(plan_json(*plan), "plan.json");
-  require(read.has_value(), "a plan's file is read");
-  const auto verification = verify(*read);
-  require(verification.has_value(), "a plan's scenario is prepared again");
-  require(verification->holds, verification->holds ? "" : "a solved plan verifies: " + verification->findings.front());
+  if (!stands(*problem, *plan)) return Outcome::refused;
+  drive_into(surprise, *problem, *plan);
   return Outcome::accepted;
 }
 
