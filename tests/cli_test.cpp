@@ -172,6 +172,66 @@ TEST_F(CommandLine, VerifyFindsWhatWasTamperedWith) {
   EXPECT_EQ(verdict([](Json& j) { j["path"]["samples"]["x"].erase(3); }).status, 2);
 }
 
+TEST_F(CommandLine, ReplanTakesOverWhileAPlanIsDriven) {
+  ASSERT_EQ(run("plan " + example("dock_middle.json") + " -o o").status, 0);
+  const Outcome on = run("replan o/plan.json --at 4 --shelf 0.91,7.02,0.01 -o r");
+  EXPECT_EQ(on.status, 0) << on.out << on.err;
+  EXPECT_NE(on.out.find("carried along"), std::string::npos) << on.out;
+  EXPECT_EQ(run("verify r/plan.json").status, 0);
+  const Json old = Json::parse(slurp(folder_ / "o/plan.json")), next = Json::parse(slurp(folder_ / "r/plan.json"));
+  EXPECT_EQ(next["scenario"]["station"]["shelf"]["center"], Json::array({0.91, 7.02}));
+  EXPECT_LT(next["scenario"]["start"]["speed"], -0.5);
+  EXPECT_NEAR(next["path"]["samples"]["speed"][0].get<double>(), -next["scenario"]["start"]["speed"].get<double>(), 1e-5);
+  EXPECT_LT(next["metrics"]["length"], old["metrics"]["length"]);
+  // Again from there, and from beside the path; too late for a curve it stops, backs off and docks again, or says why not.
+  EXPECT_EQ(run("replan r/plan.json --at 1 -o rr").status, 0);
+  const Json pose = next["scenario"]["start"]["pose"];
+  EXPECT_EQ(run("replan o/plan.json --at 4 --pose " + std::to_string(pose[0].get<double>()) + "," + std::to_string(pose[1].get<double>() + 0.01) + "," +
+                std::to_string(pose[2].get<double>()) + " -o side")
+                .status,
+            0);
+  const Outcome late = run("replan o/plan.json --at 13 --shelf 0.9,7.04,0.02 -o late");
+  EXPECT_NE(late.out.find("planned anew"), std::string::npos) << late.out;
+  EXPECT_EQ(late.status, Json::parse(slurp(folder_ / "late/plan.json"))["status"] == "solved" ? 0 : 1);
+  const Outcome json = run("replan o/plan.json --at 0 --json");
+  EXPECT_EQ(Json::parse(json.out)["status"], "solved");
+
+  refused(run("replan o/plan.json --at 400"), {"--at", "within the plan's time"});
+  refused(run("replan o/plan.json --at nan"), {"--at"});
+  refused(run("replan o/plan.json --at 1 --shelf 1,2"), {"--shelf", "1,2", "X,Y,HEADING"});
+  refused(run("replan o/plan.json --at 1 --goal 1,2,3"), {"--goal", "station"});
+  refused(run("replan o/plan.json --at 1 --shelf 90,7,0"), {"station.shelf"});
+  refused(run("replan missing.json --at 1"), {"missing.json"});
+  Json broken = old;
+  broken["scenario"]["clearance"] = 0.095;
+  std::ofstream{folder_ / "broken.json"} << broken.dump();
+  refused(run("replan broken.json --at 1"), {"broken.json", "path", "not proven"});
+}
+
+TEST_F(CommandLine, AMovingStartIsPlannedFrom) {
+  Json moving = scenario();
+  moving["start"] = {{"pose", {9.5, 7.0, 0.0}}, {"speed", -0.8}, {"curvature", 0.2}};
+  ASSERT_EQ(run("plan " + write(moving) + " -o o").status, 0);
+  EXPECT_EQ(run("verify o/plan.json").status, 0);
+  EXPECT_NE(slurp(folder_ / "o/report.html").find("moving backwards at 0.80 m/s"), std::string::npos);
+  Json plan = Json::parse(slurp(folder_ / "o/plan.json"));
+  EXPECT_EQ(plan["scenario"]["start"], moving["start"]);
+  // What the file says of the beginning is not believed.
+  const auto verdict = [&](auto change) {
+    Json j = plan;
+    change(j);
+    std::ofstream{folder_ / "t.json"} << j.dump();
+    return run("verify t.json").status;
+  };
+  EXPECT_EQ(verdict([](Json& j) { j["scenario"]["start"]["speed"] = 0.8; }), 1);
+  EXPECT_EQ(verdict([](Json& j) { j["scenario"]["start"]["speed"] = -0.7; }), 1);
+  EXPECT_EQ(verdict([](Json& j) { j["scenario"]["start"]["curvature"] = 0.1; }), 1);
+  EXPECT_EQ(verdict([](Json& j) { j["scenario"]["start"] = j["scenario"]["start"]["pose"]; }), 1);
+  EXPECT_EQ(verdict([](Json& j) { j["path"]["samples"]["speed"][0] = 0.0; }), 1);
+  moving["start"]["speed"] = 30.0;
+  refused(run("plan " + write(moving)), {"start.speed", "limit"});
+}
+
 TEST_F(CommandLine, ImportJudgesAnyonesPoses) {
   ASSERT_EQ(run("plan " + example("dock_middle.json") + " -o o").status, 0);
   const Json s = Json::parse(slurp(folder_ / "o/plan.json"))["path"]["samples"];

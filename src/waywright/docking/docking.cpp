@@ -55,9 +55,9 @@ Parsed<Docking> Docking::from(const Pose& start, const StartMotion& motion, cons
 struct DockingSession::State {
   explicit State(const Docking::State& docking)
       : problem{docking.problem}, prepared{docking.prepared}, solver{docking.prepared, docking.options, docking.optimizer, 1} {
-    solver.reserve();
-    timing.reserve(PatternSolver::usual_samples);
-    plan.samples.reserve(PatternSolver::usual_samples);
+    solver.reserve(usual_samples);
+    timing.reserve(usual_samples);
+    plan.samples.reserve(usual_samples);
   }
 
   /// `old` null: nothing to carry on.

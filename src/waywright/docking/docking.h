@@ -1,8 +1,8 @@
 /* Docking for a vehicle's own program, in C. See docking.hpp for what it does and promises: no files, no threads, no global state, nothing
  * thrown. Metres, seconds, radians; angles counter-clockwise from +x; body frame: x forward (towards the fork tips), y left.
  *
- * Strings that are returned belong to the object that they came from. All functions are safe to call from many threads; one
- * ww_plan is used by one thread at a time. */
+ * Strings and samples that are returned belong to the object that they came from. All functions are safe to call from many threads; one
+ * ww_plan or ww_session is used by one thread at a time. */
 #ifndef WAYWRIGHT_DOCKING_H
 #define WAYWRIGHT_DOCKING_H
 
@@ -64,6 +64,8 @@ typedef struct ww_request {
   ww_vehicle vehicle;
   ww_station station;
   ww_pose start;
+  double start_speed;                                                 /* along the heading, backwards negative; 0: the vehicle stands */
+  double start_curvature;                                             /* of its way, in the direction of travel; where it moves */
   double clearance;                                                   /* kept by the whole footprint */
   double lateral_error, longitudinal_error, heading_error;            /* the proof holds for every pose within these */
   int64_t evaluations;                                                /* candidates a side; 0: the default of 600 */
@@ -82,6 +84,14 @@ typedef enum ww_status {
   WW_BAD_INPUT
 } ww_status;
 
+/* Where a vehicle is on a plan. */
+typedef struct ww_state {
+  double driven; /* m so far */
+  ww_pose pose;
+  double speed;     /* as start_speed */
+  double curvature; /* as start_curvature */
+} ww_state;
+
 /* A row of the path: where the direction changes a pose stands twice. */
 typedef struct ww_sample {
   double s, x, y, heading, curvature, t, speed;
@@ -94,6 +104,8 @@ typedef struct ww_plan ww_plan;
 /* What is pointed to by the request is copied. NULL where it cannot be used: then `message`, if not NULL, holds one sentence, cut to `size`
  * bytes with its end. */
 ww_docking* ww_docking_prepare(const ww_request* request, char* message, size_t size);
+/* The same station from where the vehicle is now, its shelf with this centre and heading (NULL: where it was), prepared anew. */
+ww_docking* ww_docking_from(const ww_docking* docking, const ww_state* now, const ww_pose* shelf, char* message, size_t size);
 void ww_docking_free(ww_docking* docking);
 
 /* A flag that another thread raises to end a plan: it ends within some microseconds. */
@@ -107,12 +119,25 @@ void ww_cancel_free(ww_cancel* cancel);
 ww_plan* ww_docking_plan(const ww_docking* docking, double seconds, const ww_cancel* cancel);
 void ww_plan_free(ww_plan* plan);
 
+/* Plans one after another in memory that it keeps: nothing is asked of the system while planning. The docking outlives it; what is returned
+ * is the session's, until its next plan. NULL only where there is no memory, or no session. */
+typedef struct ww_session ww_session;
+ww_session* ww_session_create(const ww_docking* docking);
+void ww_session_free(ww_session* session);
+const ww_plan* ww_session_plan(ww_session* session, double seconds, const ww_cancel* cancel);
+/* What is left of `old` after `driven` metres, carried along with start and shelf where that is proven, else planned anew: for a session on
+ * what ww_docking_from gave. */
+const ww_plan* ww_session_replan(ww_session* session, const ww_plan* old, double driven, double seconds, const ww_cancel* cancel);
+
 ww_status ww_plan_status(const ww_plan* plan);
 const char* ww_plan_reason(const ww_plan* plan); /* "" where solved */
 double ww_plan_clearance(const ww_plan* plan);   /* proven over the whole motion, pose error taken off; m */
 double ww_plan_length(const ww_plan* plan);
 double ww_plan_time(const ww_plan* plan);
 double ww_plan_cost(const ww_plan* plan);
+int ww_plan_is_carried_on(const ww_plan* plan); /* 1: what was left of another plan, and no place of it farther off than … */
+double ww_plan_moved(const ww_plan* plan);      /* … this; m */
+ww_state ww_plan_state(const ww_plan* plan, double time); /* after so many seconds; zeros where there is no path */
 const ww_sample* ww_plan_samples(const ww_plan* plan, size_t* count);
 
 #ifdef __cplusplus

@@ -72,6 +72,7 @@ class Docking {
 /// 150 m). For one thread at a time; any number of sessions may share a Docking.
 class DockingSession {
  public:
+  static constexpr std::size_t usual_samples = 4096;
   /// @pre the docking outlives this
   static Parsed<DockingSession> on(const Docking& docking) noexcept;
   DockingSession(DockingSession&&) noexcept;

@@ -22,10 +22,14 @@ struct ww_cancel {
 };
 
 struct ww_plan {
-  ww_status status = WW_NO_PATH;
+  waywright::DockingPlan plan;
   std::string reason;
-  double clearance = 0.0, length = 0.0, time = 0.0, cost = 0.0;
   std::vector<ww_sample> samples;
+};
+
+struct ww_session {
+  waywright::DockingSession session;
+  ww_plan plan;
 };
 
 namespace {
@@ -71,6 +75,7 @@ Scenario scenario_of(const ww_request& r) {
   Scenario scenario;
   scenario.vehicle = vehicle_of(r.vehicle);
   scenario.start = {r.start.x, r.start.y, r.start.heading};
+  scenario.start_motion = {r.start_speed, r.start_curvature};
   scenario.clearance = r.clearance;
   scenario.pose_error = {r.lateral_error, r.longitudinal_error, r.heading_error};
   scenario.map.obstacles = lists_of(r.station.obstacles);
@@ -117,6 +122,28 @@ ww_status status_of(Status status) {
   return WW_BAD_INPUT;
 }
 
+BudgetLimits limits_of(double seconds) {
+  BudgetLimits limits;
+  if (std::isfinite(seconds) && seconds > 0.0) limits.seconds = seconds;
+  return limits;
+}
+
+const std::atomic<bool>* flag_of(const ww_cancel* cancel) { return cancel == nullptr ? nullptr : &cancel->raised; }
+
+/// The session's plan as C has it.
+const ww_plan* keep(ww_session& session, const DockingPlan& plan) {
+  ww_plan& kept = session.plan;
+  try {
+    kept.plan = plan;
+    kept.samples.clear();
+    for (const Sample& s : plan.samples) kept.samples.push_back({s.s, s.x, s.y, s.heading, s.curvature, s.t, s.speed, s.direction});
+    kept.reason = plan.status == Status::solved ? std::string{} : session.session.reason();
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+  return &kept;
+}
+
 }  // namespace
 
 ww_docking* ww_docking_prepare(const ww_request* request, char* message, size_t size) {
@@ -148,34 +175,85 @@ void ww_cancel_raise(ww_cancel* cancel) {
 }
 void ww_cancel_free(ww_cancel* cancel) { delete cancel; }
 
-ww_plan* ww_docking_plan(const ww_docking* docking, double seconds, const ww_cancel* cancel) {
+ww_docking* ww_docking_from(const ww_docking* docking, const ww_state* now, const ww_pose* shelf, char* message, size_t size) {
+  try {
+    if (docking == nullptr || now == nullptr) {
+      say(message, size, "there is no docking or no state");
+      return nullptr;
+    }
+    std::optional<Shelf> measured;
+    if (shelf != nullptr) {
+      measured = std::get<Station>(docking->docking.problem().scenario().mission).shelf;
+      measured->center = {shelf->x, shelf->y};
+      measured->heading = shelf->heading;
+    }
+    auto again = docking->docking.from({now->pose.x, now->pose.y, now->pose.heading}, {now->speed, now->curvature}, measured);
+    if (again) return new (std::nothrow) ww_docking{std::move(*again)};
+    say(message, size, again.error().message());
+  } catch (const std::exception&) {
+    say(message, size, "there is not enough memory for this station");
+  }
+  return nullptr;
+}
+
+ww_session* ww_session_create(const ww_docking* docking) {
   if (docking == nullptr) return nullptr;
   try {
-    BudgetLimits limits;
-    if (std::isfinite(seconds) && seconds > 0.0) limits.seconds = seconds;
-    const DockingPlan found = docking->docking.plan(limits, cancel == nullptr ? nullptr : &cancel->raised);
-    auto plan = std::make_unique<ww_plan>();
-    plan->status = status_of(found.status);
-    plan->reason = found.reason;
-    plan->clearance = found.certificate.clearance;
-    plan->length = found.length;
-    plan->time = found.travel_time;
-    plan->cost = found.cost;
-    for (const Sample& s : found.samples) plan->samples.push_back({s.s, s.x, s.y, s.heading, s.curvature, s.t, s.speed, s.direction});
-    return plan.release();
+    auto session = DockingSession::on(docking->docking);
+    if (!session) return nullptr;
+    auto made = std::make_unique<ww_session>(ww_session{std::move(*session), {}});
+    made->plan.samples.reserve(DockingSession::usual_samples);
+    made->plan.plan.samples.reserve(DockingSession::usual_samples);
+    return made.release();
   } catch (const std::exception&) {
     return nullptr;
   }
 }
 
+void ww_session_free(ww_session* session) { delete session; }
+
+const ww_plan* ww_session_plan(ww_session* session, double seconds, const ww_cancel* cancel) {
+  return session == nullptr ? nullptr : keep(*session, session->session.plan(limits_of(seconds), flag_of(cancel)));
+}
+
+const ww_plan* ww_session_replan(ww_session* session, const ww_plan* old, double driven, double seconds, const ww_cancel* cancel) {
+  if (session == nullptr) return nullptr;
+  if (old == nullptr) return ww_session_plan(session, seconds, cancel);
+  return keep(*session, session->session.replan(old->plan, driven, limits_of(seconds), flag_of(cancel)));
+}
+
+ww_plan* ww_docking_plan(const ww_docking* docking, double seconds, const ww_cancel* cancel) {
+  ww_session* session = ww_session_create(docking);
+  if (session == nullptr) return nullptr;
+  ww_plan* plan = nullptr;
+  try {
+    ww_session_plan(session, seconds, cancel);
+    plan = new ww_plan{std::move(session->plan)};
+  } catch (const std::exception&) {
+  }
+  ww_session_free(session);
+  return plan;
+}
+
 void ww_plan_free(ww_plan* plan) { delete plan; }
 
-ww_status ww_plan_status(const ww_plan* plan) { return plan == nullptr ? WW_NO_PATH : plan->status; }
+ww_status ww_plan_status(const ww_plan* plan) { return plan == nullptr ? WW_NO_PATH : status_of(plan->plan.status); }
 const char* ww_plan_reason(const ww_plan* plan) { return plan == nullptr ? "" : plan->reason.c_str(); }
-double ww_plan_clearance(const ww_plan* plan) { return plan == nullptr ? 0.0 : plan->clearance; }
-double ww_plan_length(const ww_plan* plan) { return plan == nullptr ? 0.0 : plan->length; }
-double ww_plan_time(const ww_plan* plan) { return plan == nullptr ? 0.0 : plan->time; }
-double ww_plan_cost(const ww_plan* plan) { return plan == nullptr ? 0.0 : plan->cost; }
+double ww_plan_clearance(const ww_plan* plan) { return plan == nullptr ? 0.0 : plan->plan.certificate.clearance; }
+double ww_plan_length(const ww_plan* plan) { return plan == nullptr ? 0.0 : plan->plan.length; }
+double ww_plan_time(const ww_plan* plan) { return plan == nullptr ? 0.0 : plan->plan.travel_time; }
+double ww_plan_cost(const ww_plan* plan) { return plan == nullptr ? 0.0 : plan->plan.cost; }
+int ww_plan_is_carried_on(const ww_plan* plan) { return plan != nullptr && plan->plan.is_carried_on ? 1 : 0; }
+double ww_plan_moved(const ww_plan* plan) { return plan == nullptr ? 0.0 : plan->plan.moved; }
+ww_state ww_plan_state(const ww_plan* plan, double time) {
+  if (plan == nullptr || plan->plan.samples.empty()) return {};
+  try {
+    const Handover h = handover_at(plan->plan.path, plan->plan.samples, time);
+    return {h.driven, {h.pose.x, h.pose.y, h.pose.heading}, h.motion.speed, h.motion.curvature};
+  } catch (const std::exception&) {
+    return {};
+  }
+}
 const ww_sample* ww_plan_samples(const ww_plan* plan, size_t* count) {
   if (count != nullptr) *count = plan == nullptr ? 0 : plan->samples.size();
   return plan == nullptr ? nullptr : plan->samples.data();

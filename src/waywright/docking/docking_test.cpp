@@ -142,6 +142,24 @@ TEST(DockingC, PlansTheSameAsTheCppInterface) {
   const ww_sample* samples = ww_plan_samples(plan, &count);
   ASSERT_EQ(count, same.samples.size());
   EXPECT_EQ(samples[count / 2].x, same.samples[count / 2].x);
+  // On the way the shelf turns out to be 2 cm aside.
+  const ww_state half = ww_plan_state(plan, 0.5 * ww_plan_time(plan));
+  EXPECT_GT(half.driven, 0.3 * ww_plan_length(plan));
+  EXPECT_EQ(ww_docking_from(docking, nullptr, nullptr, message, sizeof message), nullptr);
+  const ww_pose aside{station.shelf.center.x, station.shelf.center.y + 0.02, station.shelf.heading};
+  ww_docking* later = ww_docking_from(docking, &half, &aside, message, sizeof message);
+  ASSERT_NE(later, nullptr) << message;
+  ww_session* session = ww_session_create(later);
+  ASSERT_NE(session, nullptr);
+  const ww_plan* next = ww_session_replan(session, plan, half.driven, 0.0, nullptr);
+  ASSERT_NE(next, nullptr);
+  EXPECT_EQ(ww_plan_status(next), WW_SOLVED) << ww_plan_reason(next);
+  EXPECT_EQ(ww_plan_is_carried_on(next), 1);
+  EXPECT_GT(ww_plan_moved(next), 0.019);
+  EXPECT_NEAR(ww_plan_samples(next, &count)[0].speed, std::abs(half.speed), 1e-5);
+  EXPECT_EQ(ww_plan_status(ww_session_plan(session, 0.0, nullptr)), WW_SOLVED);
+  ww_session_free(session);
+  ww_docking_free(later);
   ww_plan_free(plan);
   ww_cancel_raise(cancel);
   plan = ww_docking_plan(docking, 0.0, cancel);
@@ -161,6 +179,9 @@ TEST(DockingC, SaysWhatIsWrongInOneSentence) {
   EXPECT_EQ(ww_docking_prepare(&request, nullptr, 0), nullptr);
   ww_docking_free(nullptr);
   ww_plan_free(nullptr);
+  ww_session_free(ww_session_create(nullptr));
+  EXPECT_EQ(ww_session_plan(nullptr, 0.0, nullptr), nullptr);
+  EXPECT_EQ(ww_plan_state(nullptr, 1.0).driven, 0.0);
   EXPECT_EQ(ww_plan_status(nullptr), WW_NO_PATH);
 }
 

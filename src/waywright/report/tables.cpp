@@ -34,6 +34,11 @@ std::string with_limit(double value, std::optional<double> limit, const char* un
   return fmt::format("limit {} {}, {:.0f} % used", fixed(*limit, 3), unit, 100.0 * value / *limit);
 }
 
+std::string motion_words(const StartMotion& motion) {
+  if (motion.speed == 0.0) return {};
+  return fmt::format("moving {} at {:.2f} m/s, curvature {:.3f} 1/m", motion.speed < 0.0 ? "backwards" : "forwards", std::abs(motion.speed), motion.curvature);
+}
+
 std::string pose_words(const Pose& p) {
   return fmt::format("({:.3f}, {:.3f}), {:.4f} rad ({:.2f}°)", p.x, p.y, p.heading, p.heading * 180.0 / pi);
 }
@@ -127,7 +132,7 @@ std::string scenario_table(const Problem& problem, const Plan& plan) {
   std::vector<Row> rows{
       {"Vehicle", s.vehicle.name.empty() ? "(no name)" : s.vehicle.name, drive_words(s.vehicle)},
       {"Footprint", footprint_words(s.vehicle.footprint), ""},
-      {"Start", pose_words(s.start), ""},
+      {"Start", pose_words(s.start), motion_words(s.start_motion)},
   };
   if (const auto* station = std::get_if<Station>(&s.mission)) {
     const Pose& d = problem.goal();

@@ -8,9 +8,9 @@ PatternSolver::PatternSolver(const PreparedDocking& prepared, const PatternDocki
   none_.resize(prepared.task().zones.size());
 }
 
-void PatternSolver::reserve() {
-  samples_.reserve(usual_samples);
-  timing_.reserve(usual_samples);
+void PatternSolver::reserve(std::size_t samples) {
+  samples_.reserve(samples);
+  timing_.reserve(samples);
 }
 
 const SideFound* PatternSolver::solve(bool second_choice, Budget& budget) {

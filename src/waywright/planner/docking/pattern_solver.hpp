@@ -12,12 +12,11 @@ namespace waywright {
 
 class PatternSolver {
  public:
-  static constexpr std::size_t usual_samples = 4096;  ///< of a path of some 150 m
   /// @pre all three outlive this
   PatternSolver(const PreparedDocking& prepared, const PatternDockingOptions& options, const Optimizer& optimizer, std::uint64_t seed);
 
-  /// Room for a usual path, so that no plan has to ask for it.
-  void reserve();
+  /// Room for paths of so many samples, so that no plan has to ask for it.
+  void reserve(std::size_t samples);
   /// The side whose pattern stands; nullptr where none does. `second_choice`: a part of the budget's evaluations is kept for one.
   const SideFound* solve(bool second_choice, Budget& budget);
   /// Does this whole path stand, the vehicle's motion at its beginning included? Then path, proof and samples are its own.
