@@ -137,6 +137,9 @@ TEST(Allocation, APlanFromAMovingStartTakesNone) {
   for (const double speed : {-0.7, 0.5}) {
     s.start_motion = {speed, 0.15};
     plans_without_memory(s, Status::solved);
+    Scenario pockets = with_pockets(Manoeuvre::dock);
+    pockets.start_motion = {speed, 0.15};
+    plans_without_memory(pockets, Status::solved);
   }
 }
 

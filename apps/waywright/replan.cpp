@@ -5,6 +5,7 @@
 #include "numbers.hpp"
 #include "outputs.hpp"
 #include "waywright/io/plan_io.hpp"
+#include "waywright/io/scenario_io.hpp"
 #include "waywright/judge/judge.hpp"
 #include "waywright/report/report.hpp"
 #include "waywright/report/words.hpp"
@@ -57,19 +58,31 @@ int replan(const ReplanArguments& arguments) {
   auto was = Problem::prepare(old->scenario);
   if (!was) return complain_of(was.error(), "scenario.");
   if (was->is_driven_back()) return complain_of({"", "station.manoeuvre", "the way out of a shelf is not planned anew while it is driven", "dock"}, "scenario.");
-  // What the vehicle does is judged afresh: a file may claim anything.
-  const Plan driven = judge(*was, old->path);
-  if (driven.status != Status::solved) return complain_of({"", "path", "it is not proven: " + driven.reason, "a plan that `waywright verify` confirms"}, "");
-  const double ends = driven.samples.back().t;
-  if (!(arguments.at >= 0.0 && arguments.at < ends)) {
-    return complain({"", "--at", fmt::format("{} s is not within the plan's time", arguments.at), fmt::format("0 to less than {:.3f}", ends)});
+  // What a file claims is believed where it verifies: its samples may be slower than the vehicle could.
+  const auto verification = [&] {
+    const Interruptible interruptible;
+    return verify(*old);
+  }();
+  if (!verification) return complain_of(verification.error(), "");
+  if (!verification->holds) return complain_of({"", "path", "the plan is not proven: " + verification->findings.front(), "a plan that `waywright verify` confirms"}, "");
+  const double ends = old->samples.back().t;
+  const auto at = numbers_from(arguments.at, std::array<char, 0>{});
+  if (!at || !((*at)[0] >= 0.0 && (*at)[0] < ends)) {
+    return complain({"", "--at", fmt::format("\"{}\" is not within the plan's time in s", arguments.at), fmt::format("0 to less than {:.3f}", ends)});
   }
-  const Handover now = handover_at(driven.path, driven.samples, arguments.at);
+  const Handover now = handover_at(old->path, old->samples, (*at)[0]);
+  if (now.is_turning) return complain({"", "--at", fmt::format("the vehicle turns on the spot {} s after the start", arguments.at), "a time at which it drives or stands"});
+  if (was->pocket() && now.driven > length(old->path) - length(was->pocket_stretch()) + 1e-6) {
+    return complain({"", "--at", fmt::format("the forks are in the shelf {} s after the start, and nothing is planned anew there", arguments.at), "an earlier time"});
+  }
   Scenario scenario = old->scenario;
   scenario.start = now.pose;
   scenario.start_motion = now.motion;
   if (auto changed = change(arguments, scenario); !changed) return complain(changed.error());
-  const auto problem = Problem::prepare(std::move(scenario));
+  // The reader's ranges hold for what was measured, too.
+  const auto checked = parse_scenario(scenario_json(scenario), arguments.plan.string(), arguments.plan.parent_path());
+  if (!checked) return complain(checked.error());
+  const auto problem = Problem::prepare(*checked);
   if (!problem) return complain_of(problem.error(), "scenario.");
 
   const std::filesystem::path folder = arguments.out.value_or(default_folder(problem->scenario().name + "-replan"));
@@ -79,11 +92,11 @@ int replan(const ReplanArguments& arguments) {
   }
   auto plan = [&] {
     const Interruptible interruptible;
-    return waywright::replan(*problem, driven.path, now.driven, interruptible.flag());
+    return waywright::replan(*problem, old->path, now.driven, interruptible.flag());
   }();
   if (!plan) return complain_of(plan.error(), "");
   plan->explanation.insert(plan->explanation.begin(),
-                           fmt::format("After {:.2f} s the vehicle has driven {:.2f} m of the old plan and moves at {:.3f} m/s with a curvature of {:.3f} 1/m.", arguments.at,
+                           fmt::format("After {} s the vehicle has driven {:.2f} m of the old plan and moves at {:.3f} m/s with a curvature of {:.3f} 1/m.", arguments.at,
                                        now.driven, std::abs(now.motion.speed), now.motion.curvature));
   note_all({}, warnings(*plan));
   if (write) {

@@ -10,6 +10,8 @@
 namespace waywright {
 namespace {
 
+constexpr const char* out_of_memory_words = "there is not enough memory for this plan";
+
 InputError out_of_memory() { return {"", "", "there is not enough memory for this station", ""}; }
 
 }  // namespace
@@ -45,7 +47,7 @@ Parsed<Docking> Docking::from(const Pose& start, const StartMotion& motion, cons
     Scenario scenario = state_->problem.scenario();
     scenario.start = start;
     scenario.start_motion = motion;
-    if (shelf) std::get<Station>(scenario.mission).shelf = *shelf;
+    if (auto* station = std::get_if<Station>(&scenario.mission); station != nullptr && shelf) station->shelf = *shelf;
     return prepare(std::move(scenario), state_->options);
   } catch (const std::exception&) {
     return tl::unexpected{out_of_memory()};
@@ -62,25 +64,25 @@ struct DockingSession::State {
 
   /// `old` null: nothing to carry on.
   void work(const DockingPlan* old, double driven, const BudgetLimits& limits, const std::atomic<bool>* cancel) {
-    const std::optional<Continuation> rest = old == nullptr ? std::nullopt : continuation(problem, old->path, driven);
+    // `old` may be this session's own last plan.
     const bool is_old_solved = old != nullptr && old->status == Status::solved;
+    const Path driven_path = is_old_solved ? old->path : Path{};
     start_over();
     budget.emplace(limits, cancel);
+    ran_out_of_memory = false;
     ends = problem.check_ends();
-    if (!ends) {
-      if (rest && is_old_solved && solver.stands(rest->path)) {
-        take(0.0);
-        plan.in_motion = problem.motion().has_value();
-        plan.is_carried_on = true;
-        plan.moved = rest->farthest;
-      } else if (const SideFound* found = solver.solve(false, *budget)) {
-        take(found->cost);
-        plan.in_motion = solver.in_motion();
-      } else {
-        plan.status = budget->canceled() ? Status::canceled : budget->cut_short() ? Status::timed_out : Status::no_path;
-      }
-    } else {
+    if (ends) {
       plan.status = ends->status;
+    } else if (const auto rest = is_old_solved ? solver.carry_on(driven_path, driven, *budget) : std::nullopt) {
+      take(0.0);
+      plan.in_motion = problem.motion().has_value();
+      plan.is_carried_on = true;
+      plan.moved = rest->farthest;
+    } else if (const SideFound* found = solver.solve(false, *budget)) {
+      take(found->cost);
+      plan.in_motion = solver.in_motion();
+    } else {
+      plan.status = budget->canceled() ? Status::canceled : budget->cut_short() ? Status::timed_out : Status::no_path;
     }
     plan.evaluations = budget->evaluations();
     plan.reproducible = !budget->cut_short() && !budget->canceled();
@@ -104,6 +106,7 @@ struct DockingSession::State {
   }
 
   std::string reason() const {
+    if (ran_out_of_memory) return out_of_memory_words;
     if (plan.status == Status::solved || !budget) return {};
     if (ends) return ends->reason;
     return failure_of(problem, prepared.task(), solver, outcomes_of(prepared, solver, *budget), *budget).failure.reason;
@@ -116,6 +119,7 @@ struct DockingSession::State {
   DockingPlan plan;
   std::optional<Budget> budget;
   std::optional<Failure> ends;  ///< what is wrong with them
+  bool ran_out_of_memory = false;
 };
 
 DockingSession::DockingSession(std::unique_ptr<State> state) : state_{std::move(state)} {}
@@ -143,15 +147,15 @@ const DockingPlan& DockingSession::work(const DockingPlan* old, double driven, c
   try {
     state_->work(old, driven, limits, cancel);
   } catch (const std::exception&) {  // a path beyond the room that was made, and no memory for it
-    state_->plan.status = Status::no_path;
-    state_->budget.reset();
+    state_->start_over();
+    state_->ran_out_of_memory = true;
   }
   return state_->plan;
 }
 
 std::string DockingSession::reason() const noexcept {
   try {
-    return state_->budget ? state_->reason() : "there is not enough memory for this plan";
+    return state_->reason();
   } catch (const std::exception&) {
     return {};
   }
@@ -163,7 +167,7 @@ DockingPlan planned_once(const Docking& docking, const auto& plan) {
   auto session = DockingSession::on(docking);
   if (!session) {
     DockingPlan failed;
-    failed.reason = "not enough memory";
+    failed.reason = out_of_memory_words;
     return failed;
   }
   DockingPlan made = plan(*session);

@@ -2,7 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace waywright {
+namespace {
+
+constexpr double estimated = 0.1;  // 1/m, of the curvature of poses from outside; that of curves is held exactly by the proof
+
+}  // namespace
 
 bool can_be_entered(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace) {
   const auto& motion = problem.motion();
@@ -10,9 +17,17 @@ bool can_be_entered(const Problem& problem, const std::vector<Sample>& samples, 
 }
 
 std::optional<Violation> check_entry(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace) {
+  const auto& motion = problem.motion();
+  const Vehicle& vehicle = problem.vehicle();
+  const bool may_jump = !vehicle.steering_takes_time() && !vehicle.limits.angular_acceleration;
+  if (motion && !may_jump && std::abs(samples.front().curvature - motion->curvature) > estimated) {
+    return Violation{fmt::format("the vehicle's way has a curvature of {:.3f} 1/m when the plan begins, and that of the poses is about {:.3f} 1/m",
+                                 motion->curvature, samples.front().curvature),
+                     problem.first_pose()};
+  }
   if (can_be_entered(problem, samples, workspace)) return std::nullopt;
-  return Violation{fmt::format("the vehicle begins at {:.4f} m/s, and from more than {:.4f} m/s the path cannot be driven within the vehicle's limits",
-                               problem.motion()->speed, greatest_start_speed(samples, problem.vehicle(), workspace)),
+  return Violation{fmt::format("the vehicle begins at {:.4g} m/s, and the path can surely be driven within the vehicle's limits from up to {:.4g} m/s only",
+                               motion->speed, greatest_start_speed(samples, vehicle, workspace)),
                    problem.first_pose()};
 }
 

@@ -13,8 +13,8 @@ struct Piece {
   int direction = 1;
 };
 
-/// As many as a docking pattern has with the stretch into a pocket need no memory of their own.
-using Pieces = boost::container::small_vector<Piece, 3>;
+/// As many as a docking pattern has, with the stretch in which a moving vehicle stops and the one into a pocket, need no memory of their own.
+using Pieces = boost::container::small_vector<Piece, 4>;
 
 struct Path {
   Pieces pieces;

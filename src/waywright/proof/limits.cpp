@@ -110,7 +110,7 @@ class LimitSearch {
   std::optional<Violation> worst_;
 };
 
-/// A vehicle that moves goes on in its direction and, where that is known and steering takes time, with its curvature.
+/// A vehicle that moves goes on in its direction and, where a change of it takes time, with its curvature.
 std::optional<Violation> check_entry_motion(const Problem& problem, const Piece& first) {
   const auto& motion = problem.motion();
   if (!motion) return std::nullopt;
@@ -119,7 +119,8 @@ std::optional<Violation> check_entry_motion(const Problem& problem, const Piece&
     return Violation{fmt::format("the vehicle moves {} when the plan begins, and the path begins {}", name(motion->direction), name(first.direction)),
                      problem.first_pose()};
   }
-  if (std::holds_alternative<PoseSequence>(first.curve) || !problem.vehicle().steering_takes_time()) return std::nullopt;
+  const bool may_jump = !problem.vehicle().steering_takes_time() && !problem.vehicle().limits.angular_acceleration;
+  if (std::holds_alternative<PoseSequence>(first.curve) || may_jump) return std::nullopt;  // of poses: judge/entry
   const double begins = start_curvature(first);
   if (std::abs(begins - motion->curvature) <= curvature_tolerance) return std::nullopt;
   return Violation{fmt::format("the vehicle's way has a curvature of {:.6f} 1/m when the plan begins, and the path begins with {:.6f} 1/m", motion->curvature, begins),

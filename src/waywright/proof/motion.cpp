@@ -190,14 +190,14 @@ double MotionInterval::rounding(double radius) const {
   double heading = unit_roundoff * std::max(std::abs(begin_.heading), std::abs(end_.heading));
   if (const auto* arc = std::get_if<Arc>(&curve_)) reach += arc->length;
   if (const BoundedSpan* p = span()) {
-    // Control points of the halves are rounded, and a tangent is their difference. Without a bound on speed there is none on turning.
+    // Control points are rounded at each halving, and a tangent is their difference. Without a bound on speed there is none on turning.
     for (std::size_t i = 0; i <= static_cast<std::size_t>(p->span.degree); ++i) {
       reach = std::max({reach, std::abs(p->span.control[i].x), std::abs(p->span.control[i].y)});
     }
     const double slowest = p->bounds.speed2.low();
-    heading += slowest > 0.0 ? 16.0 * unit_roundoff * reach / std::sqrt(slowest) : pi;
+    heading += slowest > 0.0 ? 16.0 * (1.0 + depth_) * unit_roundoff * reach / std::sqrt(slowest) : pi;
   }
-  return 1e-14 * (reach + radius) + 4.0 * radius * heading;
+  return 1e-14 * (1.0 + 0.1 * depth_) * (reach + radius) + 4.0 * radius * heading;
 }
 
 double MotionInterval::curvature_at_begin() const {

@@ -1,6 +1,7 @@
 #include "waywright/scenario/problem.hpp"
 #include "waywright/core/elementary.hpp"
 #include "waywright/geometry/boolean.hpp"
+#include "waywright/path/remainder.hpp"
 
 #include <fmt/format.h>
 
@@ -142,8 +143,10 @@ std::optional<InputError> Problem::set_motion() {
   constexpr double reserve = 1e-9;  // share of it, for rounding
   const double distance = motion.speed * motion.speed / (2.0 * deceleration) * (1.0 + reserve);
   const double course = motion.direction < 0 ? wrap(rest_.heading + pi) : rest_.heading;
+  constexpr double shortest = 1e-6;  // m: what stops within it stands
+  if (distance < shortest) return std::nullopt;
   constexpr double longest = 1e4;  // m
-  if (!(distance > 0.0 && distance <= longest)) {
+  if (!(distance <= longest)) {
     return refuse("start.speed", fmt::format("stopping from {} m/s takes {:.3g} m", motion.speed, distance), "what can be stopped within 10 km");
   }
   if (motion.curvature == 0.0) {
@@ -152,6 +155,7 @@ std::optional<InputError> Problem::set_motion() {
     stopping_ = Piece{Arc{make_pose(rest_.position(), course), motion.curvature, distance}, motion.direction};
   }
   rest_ = end_pose(*stopping_);
+  if (motion.curvature == 0.0) rest_.heading = scenario_.start.heading;
   motion_ = motion;
   return std::nullopt;
 }
@@ -236,12 +240,19 @@ std::optional<Failure> Problem::check_ends() const {
 
 std::optional<Failure> Problem::check_stop() const {
   if (!motion_) return std::nullopt;
+  constexpr double step = 0.02;  // m; between them the proof decides
   const double required = required_clearance();
-  const Contact contact = world_.clearance(footprint_, rest_, required + 1.0);
-  if (contact.clearance > 0.0 && contact.clearance >= required - 1e-9) return std::nullopt;
-  Failure failure = end_failure(world_, contact, rest_, true, required);
-  failure.reason = "the vehicle cannot come to rest in time: " + failure.reason;
-  return failure;
+  const double whole = length(*stopping_);
+  const double steps = std::min(std::ceil(whole / step), 1e4);
+  for (double i = 1.0; i <= steps; ++i) {
+    const Pose pose = i == steps ? rest_ : start_pose(remainder(Path{{*stopping_}}, whole * i / steps));
+    const Contact contact = world_.clearance(footprint_, pose, required + 1.0);
+    if (contact.clearance > 0.0 && contact.clearance >= required - 1e-9) continue;
+    Failure failure = end_failure(world_, contact, pose, true, required);
+    failure.reason = fmt::format("the vehicle cannot come to rest in time: {:.2f} m on, {}", whole * i / steps, failure.reason);
+    return failure;
+  }
+  return std::nullopt;
 }
 
 /// The pose with the forks in.

@@ -11,7 +11,7 @@
 
 namespace waywright {
 
-/// A vehicle that moves when the plan begins.
+/// A vehicle that moves when the plan begins. One that stops within a micrometre stands.
 struct EntryMotion {
   double speed = 0.0;      ///< m/s, > 0
   int direction = 1;       ///< +1 forward, −1 backward
@@ -61,7 +61,7 @@ class Problem {
   /// First or last pose of the mission, or the docked one, that cannot be: *_outside, *_in_collision with the obstacle's name; or a motion
   /// at the start that is over the vehicle's limits. Empty where all are fine.
   std::optional<Failure> check_ends() const;
-  /// The pose at which a moving vehicle comes to rest, if it cannot be.
+  /// Where a moving vehicle would be too near to something before it comes to rest, looked at every 2 cm.
   std::optional<Failure> check_stop() const;
 
  private:

@@ -183,7 +183,7 @@ class Profile {
     }
     std::size_t met = 0;
     for (double v = w; v > w_[met] * (1.0 + rounding); ++met) {
-      if (met + 1 == w_.size() || caps_[met] == 0.0 || v > cap_at(samples_[met], samples_[met].direction, vehicle_) * (1.0 + measured)) return false;
+      if (met + 1 == w_.size() || caps_[met] == 0.0 || v > cap_at(samples_[met], samples_[met].direction, vehicle_) * (1.0 + (met == 0 ? measured : rounding))) return false;
       v = braked(met, v);
       if (v < 0.0) return false;
     }

@@ -12,7 +12,6 @@ namespace waywright {
 namespace {
 
 constexpr double limit_share = 0.9995;  // of curvature and its rate: what the peak between samples may be off by
-constexpr double entry_share = 0.995;   // of the speed with which a way can be entered: what steps of it may be off by
 constexpr double end_reserve = 1e-6;    // m: start and docked pose were checked as such and may stand exactly at the required clearance
 
 // Bands of the graded cost. Costs of feasible paths are of the order of 1.
@@ -64,7 +63,7 @@ CandidateEvaluator::CandidateEvaluator(const PreparedDocking& prepared, const la
 CandidateScore CandidateEvaluator::measure(const DockingPattern& pattern) {
   CandidateScore score;
   const Vec2 origin = prepared_.field().origin();
-  kernels_.trace(lane_quintic(pattern.back, origin, -1, pattern.start_curvature != 0.0), has_rate_limit_ || entry_speed_ > 0.0, tracks_[0]);
+  kernels_.trace(lane_quintic(pattern.back, origin, -1, pattern.is_bent_at_start), has_rate_limit_ || entry_speed_ > 0.0, tracks_[0]);
   kernels_.trace(lane_quintic(pattern.forth, origin, 1, false), has_rate_limit_, tracks_[1]);
   PathMeasures& m = score.measures;
   m.length = straight_lengths(pattern.points);
@@ -76,15 +75,18 @@ CandidateScore CandidateEvaluator::measure(const DockingPattern& pattern) {
   }
   const auto over = [](double value, double limit) { return value > limit ? value / limit - 1.0 : 0.0; };
   score.excess = over(m.max_curvature, curvature_limit_) + over(score.max_curvature_rate, rate_limit_);
-  if (entry_speed_ > 0.0) score.excess += over(entry_speed_, greatest_entry_speed(pattern.points) * entry_share);
+  if (entry_speed_ > 0.0) {
+    score.entry_excess = entry_excess(pattern.points);
+    score.excess += score.entry_excess;
+  }
   if (!std::isfinite(score.excess) || !std::isfinite(m.length)) score.excess = 1e6;
   return score;
 }
 
 void CandidateEvaluator::enter_with(double speed) { entry_speed_ = speed; }
 
-/// Of the way back, at the end of which the vehicle stands.
-double CandidateEvaluator::greatest_entry_speed(const PatternPoints& points) {
+/// How far the speed is over that with which the way back can be entered, at the end of which the vehicle stands.
+double CandidateEvaluator::entry_excess(const PatternPoints& points) {
   const lanes::Track& track = tracks_[0];
   const double head = distance(points.back[0], points.back[1]);
   for (Sample& sample : entry_) sample = {.direction = -1};
@@ -97,7 +99,11 @@ double CandidateEvaluator::greatest_entry_speed(const PatternPoints& points) {
   // The straight run before the bend counts where there is one; else the sample there is the first of the bend once more.
   if (head == 0.0) entry_.front().curvature = entry_[1].curvature;
   entry_.back().s = entry_[lanes::samples].s + distance(points.back[2], points.back[3]);
-  return greatest_start_speed(entry_, prepared_.problem().vehicle(), timing_);
+  const Vehicle& vehicle = prepared_.problem().vehicle();
+  if (can_start_with(entry_, vehicle, entry_speed_, timing_)) return 0.0;
+  constexpr double least = 1e-6;  // it is over
+  const double greatest = greatest_start_speed(entry_, vehicle, timing_);
+  return greatest > 0.0 ? std::max(least, entry_speed_ / greatest - 1.0) : 1e3;
 }
 
 Placement CandidateEvaluator::pose_at(const lanes::Track& track, std::size_t i) const {

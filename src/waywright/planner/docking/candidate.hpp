@@ -23,6 +23,7 @@ struct CandidateScore {
   bool free = false;                ///< reached the end
   Pose blocked_at{};                ///< where it ended, if not free
   double excess = 0.0;              ///< how far limits are exceeded, as a share of them; 0: kept
+  double entry_excess = 0.0;        ///< of this, how far the vehicle is too fast for the way when it begins
   bool feasible() const { return free && excess == 0.0; }
   /// How far from feasible: grows steadily with depth and excess; 0: feasible.
   double violation() const { return deficit + excess; }
@@ -61,7 +62,7 @@ class CandidateEvaluator {
   };
   Placement pose_at(const lanes::Track& track, std::size_t i) const;
   double bow_of(const lanes::Track& track, std::size_t i) const;
-  double greatest_entry_speed(const PatternPoints& points);
+  double entry_excess(const PatternPoints& points);
 
   const PreparedDocking& prepared_;
   const lanes::Kernels& kernels_;

@@ -14,9 +14,11 @@ struct Handover {
   double driven = 0.0;  ///< m of the path so far
   Pose pose{};
   StartMotion motion;
+  bool is_turning = false;  ///< on the spot: no place of the way says how far
 };
 
-/// Where the samples have the vehicle after t seconds (clamped to their time). @pre the samples are the path's, with t and speed
+/// Where the samples have the vehicle after t seconds (clamped to their time). Within 0.1 mm of the end of a piece it is taken to stand there.
+/// @pre the samples are the path's, with t and speed
 Handover handover_at(const Path& path, const std::vector<Sample>& samples, double t);
 
 struct Continuation {

@@ -59,7 +59,7 @@ BezierSpan joining_quintic(Vec2 from, Vec2 from_course, Vec2 to, Vec2 to_course,
 DockingPattern docking_pattern(const PatternStart& start, const Placement& dock, const Placement& transition, const PatternLeads& leads) {
   PatternLeads used = leads;
   if (start.curvature != 0.0) used.start = 0.0;
-  DockingPattern pattern{pattern_points(start.at, dock, transition, used), {}, {}, start.curvature};
+  DockingPattern pattern{pattern_points(start.at, dock, transition, used), {}, {}, start.curvature != 0.0};
   const auto& [back, forth] = pattern.points;
   pattern.back = joining_quintic(back[1], -start.at.heading, back[2], -transition.heading, start.curvature);
   pattern.forth = joining_quintic(forth[1], transition.heading, forth[2], dock.heading);

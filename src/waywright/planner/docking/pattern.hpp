@@ -53,7 +53,7 @@ std::array<Spline, 2> published_pattern(const Pose& start, const Pose& dock, con
 struct DockingPattern {
   PatternPoints points;
   BezierSpan back, forth;  ///< the quintics between points 1 and 2 of each
-  double start_curvature = 0.0;
+  bool is_bent_at_start = false;  ///< the second derivative of `back` is not 0 where it begins
 };
 DockingPattern docking_pattern(const PatternStart& start, const Placement& dock, const Placement& transition, const PatternLeads& leads);
 inline DockingPattern docking_pattern(const Pose& start, const Pose& dock, const Pose& transition, const PatternLeads& leads) {

@@ -4,7 +4,7 @@
 
 namespace waywright {
 PatternSolver::PatternSolver(const PreparedDocking& prepared, const PatternDockingOptions& options, const Optimizer& optimizer, std::uint64_t seed)
-    : prepared_{prepared}, options_{options}, seed_{seed}, search_{prepared, options, optimizer}, sides_{&none_}, proving_{prepared.problem()} {
+    : prepared_{prepared}, options_{options}, seed_{seed}, search_{prepared, options_, optimizer}, nearby_{prepared, options_, optimizer}, sides_{&none_}, proving_{prepared.problem()} {
   none_.resize(prepared.task().zones.size());
 }
 
@@ -17,6 +17,7 @@ const SideFound* PatternSolver::solve(bool second_choice, Budget& budget) {
   const Problem& problem = prepared_.problem();
   sides_ = &none_;
   in_motion_ = tried_in_motion_ = false;
+  blocked_stop_ = problem.check_stop();
   if (const auto& motion = problem.motion(); motion && motion->direction < 0) {
     tried_in_motion_ = in_motion_ = true;
     const PatternEntry moving{{placement_of(problem.first_pose()), motion->curvature}, motion->speed};
@@ -24,12 +25,21 @@ const SideFound* PatternSolver::solve(bool second_choice, Budget& budget) {
     in_motion_ = false;
     if (budget.exhausted()) return nullptr;
   }
+  if (blocked_stop_) return nullptr;
   const PatternEntry standing{{placement_of(problem.start())}};
   if (const SideFound* best = best_standing(search_.search(standing, options_.evaluations, seed_, second_choice, budget))) return best;
   for (int times = 2; times <= harder_times && !budget.limits().evaluations && !budget.exhausted(); times *= 2) {
     if (const SideFound* best = best_standing(search_.search_on(options_.evaluations * times, budget))) return best;
   }
   return nullptr;
+}
+
+std::optional<Continuation> PatternSolver::carry_on(const Path& old, double driven, Budget& budget) {
+  auto rest = continuation(prepared_.problem(), old, driven);
+  if (!rest || stands(rest->path)) return rest;
+  rest = nearby_.search(old, driven, seed_, budget);
+  if (rest && !stands(rest->path)) rest.reset();
+  return rest;
 }
 
 /// The search allows for what is between its samples by estimates; what the proof does not confirm is not offered.

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "waywright/planner/docking/nearby.hpp"
 #include "waywright/planner/docking/pattern_search.hpp"
 #include "waywright/proof/proof.hpp"
 #include "waywright/speed/speed.hpp"
@@ -12,13 +13,16 @@ namespace waywright {
 
 class PatternSolver {
  public:
-  /// @pre all three outlive this
+  /// @pre prepared and optimizer outlive this
   PatternSolver(const PreparedDocking& prepared, const PatternDockingOptions& options, const Optimizer& optimizer, std::uint64_t seed);
 
   /// Room for paths of so many samples, so that no plan has to ask for it.
   void reserve(std::size_t samples);
   /// The side whose pattern stands; nullptr where none does. `second_choice`: a part of the budget's evaluations is kept for one.
   const SideFound* solve(bool second_choice, Budget& budget);
+  /// What is left of a path that is being driven, after so many metres: carried along with its ends, or bent a little beside, where that
+  /// stands. Then path, proof and samples are its own.
+  std::optional<Continuation> carry_on(const Path& old, double driven, Budget& budget);
   /// Does this whole path stand, the vehicle's motion at its beginning included? Then path, proof and samples are its own.
   bool stands(const Path& whole);
 
@@ -26,6 +30,7 @@ class PatternSolver {
   const std::vector<SideFound>& sides() const { return *sides_; }  ///< what came of each, in the order of the task's zones
   bool in_motion() const { return in_motion_; }         ///< the pattern begins while the vehicle moves
   bool tried_in_motion() const { return tried_in_motion_; }
+  const std::optional<Failure>& blocked_stop() const { return blocked_stop_; }  ///< why it cannot stop first
   const Path& path() const { return path_; }            ///< the whole mission's, where one stands
   const Proof& proof() const { return proof_; }         ///< its proof
   std::vector<Sample>& samples();                       ///< its samples, without t and speed
@@ -34,12 +39,14 @@ class PatternSolver {
   SideFound* best_standing(std::vector<SideFound>& sides);
 
   const PreparedDocking& prepared_;
-  const PatternDockingOptions& options_;
+  PatternDockingOptions options_;  ///< those of both searches
   std::uint64_t seed_;
   PatternSearch search_;
+  NearbySearch nearby_;
   std::vector<SideFound>* sides_ = nullptr;
   std::vector<SideFound> none_;
   bool in_motion_ = false, tried_in_motion_ = false;
+  std::optional<Failure> blocked_stop_;
   ProofWorkspace proving_;
   SpeedWorkspace timing_;
   Path path_;

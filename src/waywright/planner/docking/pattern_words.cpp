@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "waywright/judge/entry.hpp"
+
 namespace waywright {
 namespace {
 
@@ -32,6 +34,7 @@ std::string infeasible_sentence(const Problem& problem, const SideOutcome& outco
     if (score.measures.max_curvature > limit) {
       needs.push_back(fmt::format("a curvature of {:.3f} 1/m (limit {:.3f})", score.measures.max_curvature, limit));
     }
+    if (score.entry_excess > 0.0) needs.push_back(fmt::format("a slower start than at {:.2f} m/s", problem.motion()->speed));
     if (const auto rate = problem.vehicle().limits.curvature_rate; rate && score.max_curvature_rate > *rate) {
       needs.push_back(fmt::format("a curvature rate of {:.3f} 1/m² (limit {:.3f})", score.max_curvature_rate, *rate));
     }
@@ -40,10 +43,24 @@ std::string infeasible_sentence(const Problem& problem, const SideOutcome& outco
   return text + ".";
 }
 
-SideOutcome outcome_of(const PreparedDocking& prepared, const Zone& zone, const SideFound& found, const Budget& budget) {
+/// Why the best of a side was refused.
+std::string refusal_of(const Problem& problem, const SideFound& found, bool in_motion) {
+  const Path whole = problem.whole_path(path_of(found), in_motion);
+  const Proof proof = prove(problem, whole);
+  if (!proof.violations.empty()) return proof.violations.front().sentence;
+  SpeedWorkspace timing;
+  const auto too_fast = check_entry(problem, sample(whole, problem.footprint().radius(), proof.certificate.tolerance), timing);
+  return too_fast ? too_fast->sentence : "the proof did not confirm it";
+}
+
+SideOutcome outcome_of(const PreparedDocking& prepared, const Zone& zone, const SideFound& found, const PatternSolver& solver, const Budget& budget) {
   const Problem& problem = prepared.problem();
   SideOutcome outcome;
   outcome.side = zone.side;
+  if (!found.wanted && solver.blocked_stop() && !zone.left_out()) {
+    outcome.sentence = fmt::format("The {} side was not searched: the vehicle cannot come to rest in time.", to_string(zone.side));
+    return outcome;
+  }
   if (!found.wanted) {
     outcome.sentence = zone.left_out() ? left_out_sentence(zone) : fmt::format("The {} side was not asked for.", to_string(zone.side));
     return outcome;
@@ -73,7 +90,10 @@ SideOutcome outcome_of(const PreparedDocking& prepared, const Zone& zone, const 
     outcome.sentence = infeasible_sentence(problem, outcome, found);
   }
   if (found.given_up) outcome.sentence += " The search there was ended, as the other side is better by far.";
-  if (found.refused) outcome.sentence += " The proof refuses it.";
+  if (found.refused) {
+    outcome.refusal = refusal_of(problem, found, solver.in_motion());
+    outcome.sentence += fmt::format(" It does not stand: {}.", outcome.refusal);
+  }
   return outcome;
 }
 
@@ -82,6 +102,7 @@ std::vector<std::string> entry_sentences(const Problem& problem, const PatternSo
   const auto& motion = problem.motion();
   if (!motion) return {};
   const char* way = motion->direction < 0 ? "backwards" : "forwards";
+  if (solver.blocked_stop() && !solver.in_motion()) return {};
   if (solver.in_motion()) {
     return {fmt::format("The vehicle moves {} at {:.2f} m/s with a curvature of {:.3f} 1/m when the plan begins, and goes on from there without stopping.", way,
                         motion->speed, motion->curvature)};
@@ -96,7 +117,7 @@ std::vector<std::string> entry_sentences(const Problem& problem, const PatternSo
 std::vector<SideOutcome> outcomes_of(const PreparedDocking& prepared, const PatternSolver& solver, const Budget& budget) {
   std::vector<SideOutcome> outcomes;
   const std::vector<Zone>& zones = prepared.task().zones;
-  for (std::size_t i = 0; i < zones.size(); ++i) outcomes.push_back(outcome_of(prepared, zones[i], solver.sides()[i], budget));
+  for (std::size_t i = 0; i < zones.size(); ++i) outcomes.push_back(outcome_of(prepared, zones[i], solver.sides()[i], solver, budget));
   return outcomes;
 }
 
@@ -150,11 +171,17 @@ PlanningFailure failure_of(const Problem& problem, const DockingTask& task, cons
     const std::string why = task.zones[i].left_out() ? "too narrow"
                             : !outcome.searched      ? "not searched"
                             : outcome.contact        ? "blocked by " + contact_words(problem, *outcome.contact)
-                                                     : "over the limit of curvature or its rate";
+                            : !outcome.refusal.empty() ? "refused (" + outcome.refusal + ")"
+                            : solver.sides()[i].score.entry_excess > 0.0 ? "too short or too bent for the speed that the vehicle has"
+                                                                         : "over the limit of curvature or its rate";
     sides.push_back(fmt::format("{} side {}", to_string(outcome.side), why));
   }
   failure.failure.status = budget.canceled() ? Status::canceled : budget.cut_short() ? Status::timed_out : Status::no_path;
   failure.failure.reason = fmt::format("no docking pattern fits: {}", fmt::join(sides, ", "));
+  if (solver.blocked_stop()) {
+    failure.failure.reason += "; " + solver.blocked_stop()->reason;
+    failure.failure.point = solver.blocked_stop()->point;
+  }
   failure.alternatives = alternatives_of(task, outcomes, nullptr);
   return failure;
 }

@@ -22,6 +22,7 @@ struct SideOutcome {
   Pose transition{};       ///< world
   Path path;               ///< best path found, also where it is not feasible
   std::string sentence;    ///< what happened, for the explanation
+  std::string refusal;     ///< why what was found does not stand, where the proof or the vehicle's speed says so
   std::optional<Contact> contact;  ///< what the best infeasible one meets first …
   double reach = 0.0;              ///< … after so many metres
 };

@@ -11,7 +11,7 @@
 namespace waywright {
 namespace {
 
-constexpr int most_halvings = 3;  // to a 64th of what a stretch bows
+constexpr int most_halvings = 4;  // to a 256th of what a stretch bows
 
 constexpr std::size_t most_corners = 16;  // of a convex part that is tested by separating lines
 
