@@ -14,6 +14,10 @@ constexpr std::array<double, 8> gauss_weight{0.1894506104550684963, 0.1826034150
                                              0.1495959888165767321, 0.1246289712555338720, 0.0951585116824927848,
                                              0.0622535239386478929, 0.0271524594117540949};
 
+// The same with 8 points, for short stretches.
+constexpr std::array<double, 4> short_gauss_node{0.1834346424956498049, 0.5255324099163289859, 0.7966664774136267396, 0.9602898564975362317};
+constexpr std::array<double, 4> short_gauss_weight{0.3626837833783619830, 0.3137066458778872873, 0.2223810344533744706, 0.1012285362903762592};
+
 /// De Casteljau's algorithm level by level, without loops.
 template <std::size_t... i>
 Vec2 de_casteljau(const Vec2* points, double u, std::index_sequence<i...>) {
@@ -60,21 +64,25 @@ Derivative derivative_of(const BezierSpan& span) {
   return power;
 }
 
-double speed_at(const Derivative& d, double u) {
+[[gnu::always_inline]] inline double speed_at(const Derivative& d, double u) {
   const Vec2 at = d[0] + u * (d[1] + u * (d[2] + u * (d[3] + u * d[4])));
   return norm(at);
 }
 
-/// Length of the span with this derivative over [a, b].
-double gauss(const Derivative& derivative, double a, double b) {
+template <std::size_t n>
+double gauss(const std::array<double, n>& node, const std::array<double, n>& weight, const Derivative& derivative, double a, double b) {
   const double half = 0.5 * (b - a);
   const double middle = 0.5 * (a + b);
   double sum = 0.0;
-  for (std::size_t i = 0; i < gauss_node.size(); ++i) {
-    sum += gauss_weight[i] * (speed_at(derivative, middle - half * gauss_node[i]) + speed_at(derivative, middle + half * gauss_node[i]));
+  for (std::size_t i = 0; i < n; ++i) {
+    sum += weight[i] * (speed_at(derivative, middle - half * node[i]) + speed_at(derivative, middle + half * node[i]));
   }
   return half * sum;
 }
+/// Length of the span with this derivative over [a, b].
+double gauss(const Derivative& derivative, double a, double b) { return gauss(gauss_node, gauss_weight, derivative, a, b); }
+/// The same for a stretch of a 32nd of a regular span or less.
+double short_gauss(const Derivative& derivative, double a, double b) { return gauss(short_gauss_node, short_gauss_weight, derivative, a, b); }
 
 /// Solves the tridiagonal system with diagonal 2(h[i−1]+h[i]) for the second derivatives inside (Thomas).
 std::vector<Vec2> natural_second_derivatives(std::span<const Vec2> points, const std::vector<double>& h) {
@@ -204,7 +212,7 @@ double ArcLengthTable::parameter(double s) const {
   double u = low + t * (before + t * (3.0 * (high - low) - 2.0 * before - after + t * (before + after - 2.0 * (high - low))));
   if (!(u > low && u < high)) u = low + (high - low) * t;
   for (int i = 0; i < 30; ++i) {  // Newton, kept inside a shrinking bracket
-    const double error = gauss(derivative_, low, u) - rest;
+    const double error = short_gauss(derivative_, low, u) - rest;
     if (std::abs(error) <= 1e-14 * total) break;
     (error > 0.0 ? b : a) = u;
     const double v = speed_at(derivative_, u);
