@@ -11,7 +11,7 @@ namespace waywright {
 enum class SideChoice { both, left, right };
 enum class DockingObjective { normalised, exponential };
 
-/// Where no candidate of a search serves it goes on, to twice as many and at last to so many times as many.
+/// Where no candidate of a search serves it goes on, by as many each time, until it has looked at so many times as many.
 inline constexpr int harder_times = 4;
 
 struct PatternDockingOptions {

@@ -28,7 +28,7 @@ const SideFound* PatternSolver::solve(bool second_choice, Budget& budget) {
   if (blocked_stop_) return nullptr;
   const PatternEntry standing{{placement_of(problem.start())}};
   if (const SideFound* best = best_standing(search_.search(standing, options_.evaluations, seed_, second_choice, budget))) return best;
-  for (int times = 2; times <= harder_times && !budget.limits().evaluations && !budget.exhausted(); times *= 2) {
+  for (std::int64_t times = 2; times <= harder_times && !budget.limits().evaluations && !budget.exhausted(); ++times) {
     if (const SideFound* best = best_standing(search_.search_on(options_.evaluations * times, budget))) return best;
   }
   return nullptr;
