@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "waywright/core/random.hpp"
+#include "waywright/docking/docking.hpp"
 #include "waywright/judge/judge.hpp"
 #include "waywright/optimizer/lattice_search.hpp"
 #include "waywright/planner/docking/fixture_stations.hpp"
@@ -35,7 +36,7 @@ void plan(const char* name, const Scenario& scenario) {
     std::printf(" %s\n", result.error().failure.reason.c_str());
     return;
   }
-  const Plan plan = judge(problem, problem.whole_path(result->path));
+  const Plan plan = judge(problem, problem.whole_path(result->path, result->begins_in_motion));
   std::printf(" %s %s\n", to_string(plan.status), plan.reason.c_str());
   for (const Piece& piece : plan.path.pieces) {
     std::printf(" piece %d:", piece.direction);
@@ -51,6 +52,26 @@ void plan(const char* name, const Scenario& scenario) {
   print("clearance", plan.certificate.clearance);
   print("pocket", plan.certificate.pocket_clearance.value_or(-1.0));
   std::printf("\n");
+}
+
+/// Half way the shelf turns out to be elsewhere: carried along, and where that is too tight bent beside or planned anew.
+void replan(const char* name, const Scenario& scenario, double share, Vec2 shift) {
+  const auto docking = Docking::prepare(scenario);
+  if (!docking) return;
+  const DockingPlan old = docking->plan();
+  if (old.status != Status::solved) return;
+  const Handover at = handover_at(old.path, old.samples, share * old.travel_time);
+  Shelf shelf = std::get<Station>(scenario.mission).shelf;
+  shelf.center = shelf.center + shift;
+  const auto again = docking->from(at.pose, at.motion, shelf);
+  if (!again) return;
+  const DockingPlan next = again->replan(old, at.driven);
+  std::printf("%s: %lld evaluations\n %s %d %d %a %a\n", name, static_cast<long long>(next.evaluations), to_string(next.status), next.is_carried_on, next.in_motion, next.moved,
+              next.certificate.clearance);
+  for (const Sample& s : next.samples) {
+    for (const double v : {s.s, s.x, s.y, s.heading, s.curvature, s.t, s.speed}) std::printf(" %a", v);
+    std::printf("\n");
+  }
 }
 
 /// The forks in and the load out: tines of 0.21 m, pockets 4 cm wider on each side.
@@ -81,6 +102,14 @@ int main() {
   plan("narrow", fixture::station(Id::d3));
   plan("two boxes, turned", fixture::station(Id::d1, somewhere));
   plan("cluttered, turned", fixture::station(Id::d2, somewhere));
+  Scenario moving = fixture::station(Id::d1, somewhere);
+  moving.vehicle.limits.curvature_rate = 1.5;
+  for (const double speed : {-0.8, 0.5}) {
+    moving.start_motion = {speed, 0.2};
+    plan(speed < 0.0 ? "backing" : "driving forwards", moving);
+  }
+  for (const double share : {0.2, 0.6, 0.9}) replan("shelf elsewhere", moving, share, {0.02, -0.02});
+  replan("shelf elsewhere in a cluttered station", fixture::station(Id::d2, somewhere), 0.3, {0.03, 0.03});
   Scenario s = fixture::station(Id::d2, somewhere);
   s.pose_error = {0.02, 0.01, 0.005};
   s.clearance = 0.04;
