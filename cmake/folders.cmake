@@ -16,6 +16,7 @@ function(waywright_folder name)
   add_library(waywright::${name} ALIAS waywright_${name})
   set_target_properties(waywright_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   set_property(GLOBAL APPEND PROPERTY WAYWRIGHT_TARGETS waywright_${name})
+  target_compile_features(waywright_${name} PUBLIC cxx_std_20)
   target_include_directories(waywright_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

@@ -144,6 +144,10 @@ TEST(Allocation, APlanFromAMovingStartTakesNone) {
 }
 
 TEST(Allocation, NeitherDoesOneThatFindsNothing) {
+  Scenario late = fixture::station(Id::d0);
+  late.start = {0.9, 0.1, pi};  // before the shelf, at speed
+  late.start_motion = {0.9, 0.0};
+  plans_without_memory(late, Status::no_path);
   Scenario walled = fixture::station(Id::d0);
   walled.map.lines.push_back({{3.6, -7.0}, {3.6, 7.0}});
   plans_without_memory(walled, Status::no_path);

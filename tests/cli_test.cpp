@@ -181,7 +181,7 @@ TEST_F(CommandLine, ReplanTakesOverWhileAPlanIsDriven) {
   const Json old = Json::parse(slurp(folder_ / "o/plan.json")), next = Json::parse(slurp(folder_ / "r/plan.json"));
   EXPECT_EQ(next["scenario"]["station"]["shelf"]["center"], Json::array({0.91, 7.02}));
   EXPECT_LT(next["scenario"]["start"]["speed"], -0.5);
-  EXPECT_NEAR(next["path"]["samples"]["speed"][0].get<double>(), -next["scenario"]["start"]["speed"].get<double>(), 1e-5);
+  EXPECT_NEAR(next["path"]["samples"]["speed"][0].get<double>(), -next["scenario"]["start"]["speed"].get<double>(), 1e-3);
   EXPECT_LT(next["metrics"]["length"], old["metrics"]["length"]);
   // Again from there, and from beside the path; too late for a curve it stops, backs off and docks again, or says why not.
   EXPECT_EQ(run("replan r/plan.json --at 1 -o rr").status, 0);
@@ -200,7 +200,7 @@ TEST_F(CommandLine, ReplanTakesOverWhileAPlanIsDriven) {
   refused(run("replan o/plan.json --at nan"), {"--at"});
   refused(run("replan o/plan.json --at 1 --shelf 1,2"), {"--shelf", "1,2", "X,Y,HEADING"});
   refused(run("replan o/plan.json --at 1 --goal 1,2,3"), {"--goal", "station"});
-  refused(run("replan o/plan.json --at 1 --shelf 90,7,0"), {"station.shelf"});
+  refused(run("replan o/plan.json --at 1 --shelf 90,7,0"), {"--shelf", "outside the station"});
   refused(run("replan missing.json --at 1"), {"missing.json"});
   Json broken = old;
   broken["scenario"]["clearance"] = 0.095;

@@ -60,7 +60,7 @@ int verify(const std::filesystem::path& plan);
 struct ReplanArguments {
   std::filesystem::path plan;
   std::string at;                  ///< s after the plan's start
-  std::string shelf, goal, pose;   ///< "X,Y,HEADING" as measured; empty: as it was
+  std::optional<std::string> shelf, goal, pose;  ///< "X,Y,HEADING" as measured; absent: as it was
   std::optional<std::filesystem::path> out;
   bool json = false;
 };

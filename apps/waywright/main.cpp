@@ -35,13 +35,13 @@ int run(int argc, char** argv) {
   verify_command->callback([&] { status = verify(plan_file); });
 
   ReplanArguments replan_arguments;
-  auto* replan_command = app.add_subcommand("replan", "while a plan is driven: the shelf, the goal or the vehicle is elsewhere by centimetres");
+  auto* replan_command = app.add_subcommand("replan", "while a plan is driven and the shelf, the goal or the vehicle is elsewhere by centimetres: what is left is carried along with its ends, as long as a bend is left to do so, else planned anew");
   replan_command->add_option("PLAN", replan_arguments.plan, "plan.json that is being driven")->required();
   replan_command->add_option("--at", replan_arguments.at, "s since its start")->required();
   replan_command->add_option("--shelf", replan_arguments.shelf, "X,Y,HEADING: centre and heading of the shelf as it is now");
   replan_command->add_option("--goal", replan_arguments.goal, "X,Y,HEADING: the goal as it is now, of a mission without a station");
   replan_command->add_option("--pose", replan_arguments.pose, "X,Y,HEADING: where the vehicle is (default: where the plan has it)");
-  replan_command->add_option("-o,--out", replan_arguments.out, "folder to write to (default: waywright-out/NAME-replan)");
+  replan_command->add_option("-o,--out", replan_arguments.out, "folder to write to (default: waywright-out/NAME-replanned)");
   replan_command->add_flag("--json", replan_arguments.json, "plan.json on standard output and nothing else there");
   replan_command->callback([&] { status = replan(replan_arguments); });
 

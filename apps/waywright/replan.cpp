@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "numbers.hpp"
 #include "outputs.hpp"
 #include "waywright/io/plan_io.hpp"
@@ -20,27 +22,34 @@ Parsed<Pose> pose_from(const char* option, const std::string& text) {
 
 /// What was measured takes the place of what the scenario says.
 Parsed<void> change(const ReplanArguments& arguments, Scenario& scenario) {
-  if (!arguments.shelf.empty()) {
+  if (arguments.shelf) {
     auto* station = std::get_if<Station>(&scenario.mission);
     if (station == nullptr) return tl::unexpected{InputError{"", "--shelf", "the plan's mission is not a station", "--goal"}};
-    const auto measured = pose_from("--shelf", arguments.shelf);
+    const auto measured = pose_from("--shelf", *arguments.shelf);
     if (!measured) return tl::unexpected{measured.error()};
     station->shelf.center = measured->position();
     station->shelf.heading = measured->heading;
   }
-  if (!arguments.goal.empty()) {
+  if (arguments.goal) {
     auto* goal = std::get_if<Pose>(&scenario.mission);
     if (goal == nullptr) return tl::unexpected{InputError{"", "--goal", "the plan's mission is a station", "--shelf"}};
-    const auto measured = pose_from("--goal", arguments.goal);
+    const auto measured = pose_from("--goal", *arguments.goal);
     if (!measured) return tl::unexpected{measured.error()};
     *goal = *measured;
   }
-  if (!arguments.pose.empty()) {
-    const auto measured = pose_from("--pose", arguments.pose);
+  if (arguments.pose) {
+    const auto measured = pose_from("--pose", *arguments.pose);
     if (!measured) return tl::unexpected{measured.error()};
     scenario.start = *measured;
   }
   return {};
+}
+
+std::string situation_sentence(const std::string& at, const Handover& now) {
+  const std::string start = fmt::format("After {} s the vehicle has driven {:.2f} m of the old plan", at, now.driven);
+  if (now.motion.speed == 0.0) return start + " and stands.";
+  return start + fmt::format(" and moves {} at {:.3f} m/s with a curvature of {:.3f} 1/m.", now.motion.speed < 0.0 ? "backwards" : "forwards", std::abs(now.motion.speed),
+                             now.motion.curvature);
 }
 
 }  // namespace
@@ -78,14 +87,19 @@ int replan(const ReplanArguments& arguments) {
   Scenario scenario = old->scenario;
   scenario.start = now.pose;
   scenario.start_motion = now.motion;
+  constexpr std::string_view mark = ", replanned";
+  if (!scenario.name.ends_with(mark)) scenario.name += mark;
   if (auto changed = change(arguments, scenario); !changed) return complain(changed.error());
   // The reader's ranges hold for what was measured, too.
   const auto checked = parse_scenario(scenario_json(scenario), arguments.plan.string(), arguments.plan.parent_path());
   if (!checked) return complain(checked.error());
   const auto problem = Problem::prepare(*checked);
+  if (!problem && arguments.shelf && problem.error().field.rfind("station.shelf", 0) == 0) {
+    return complain({"", "--shelf", problem.error().problem, problem.error().allowed});
+  }
   if (!problem) return complain_of(problem.error(), "scenario.");
 
-  const std::filesystem::path folder = arguments.out.value_or(default_folder(problem->scenario().name + "-replan"));
+  const std::filesystem::path folder = arguments.out.value_or(default_folder(problem->scenario().name));
   const bool write = !arguments.json || arguments.out;
   if (write) {
     if (auto ready = prepare_folder(folder); !ready) return complain(ready.error());
@@ -96,8 +110,7 @@ int replan(const ReplanArguments& arguments) {
   }();
   if (!plan) return complain_of(plan.error(), "");
   plan->explanation.insert(plan->explanation.begin(),
-                           fmt::format("After {} s the vehicle has driven {:.2f} m of the old plan and moves at {:.3f} m/s with a curvature of {:.3f} 1/m.", arguments.at,
-                                       now.driven, std::abs(now.motion.speed), now.motion.curvature));
+                           situation_sentence(arguments.at, now));
   note_all({}, warnings(*plan));
   if (write) {
     if (auto written = write_plan(folder, *problem, *plan); !written) return complain(written.error());

@@ -33,7 +33,7 @@ typedef struct ww_polygons {
   size_t count;
 } ww_polygons;
 
-/* Limits of 0 are no limits, but for speed and acceleration, which must be more. */
+/* Limits of 0 are no limits, but for speed, reverse_speed, acceleration and deceleration, which must be above 0. */
 typedef struct ww_vehicle {
   ww_points footprint;      /* simple polygon in the body frame */
   ww_polygons forks;        /* parts of it that may enter a pocket; may be empty */
@@ -125,7 +125,7 @@ typedef struct ww_session ww_session;
 ww_session* ww_session_create(const ww_docking* docking);
 void ww_session_free(ww_session* session);
 const ww_plan* ww_session_plan(ww_session* session, double seconds, const ww_cancel* cancel);
-/* What is left of `old` after `driven` metres, carried along with start and shelf where that is proven, else planned anew: for a session on
+/* With the forks in the shelf nothing is planned anew (WW_START_IN_COLLISION). Otherwise: what is left of `old` after `driven` metres, carried along with start and shelf where that is proven, else planned anew: for a session on
  * what ww_docking_from gave. */
 const ww_plan* ww_session_replan(ww_session* session, const ww_plan* old, double driven, double seconds, const ww_cancel* cancel);
 

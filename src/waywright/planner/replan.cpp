@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 
 #include "waywright/judge/judge.hpp"
 #include "waywright/optimizer/lattice_search.hpp"
+#include "waywright/path/remainder.hpp"
 #include "waywright/planner/docking/pattern_solver.hpp"
 #include "waywright/planner/solve_words.hpp"
 
@@ -19,10 +21,35 @@ std::string carried_sentence(const Continuation& rest, std::int64_t evaluations)
                      evaluations == 0 ? "" : fmt::format(", and its point of changing direction moved as little as {} candidates showed to serve", evaluations), rest.farthest);
 }
 
-std::string anew_sentence(const Problem& problem, const Path& old, double driven) {
-  const auto rest = continuation(problem, old, driven);
-  return fmt::format("The way is planned anew, since what was left of the old plan cannot be driven on: {}.",
-                     rest ? judge(problem, rest->path).reason : "an end of it has moved, and its curve there cannot be carried along");
+/// Why it is not carried along, and what would come of driving the old plan on as it is.
+std::vector<std::string> anew_sentences(const Problem& problem, const Path& old, double driven) {
+  std::string why = "an end of it has moved, and no bend is left there that could be carried along";
+  if (const auto rest = continuation(problem, old, driven)) {
+    const Plan judged = judge(problem, rest->path);
+    why = judged.reason.substr(0, judged.reason.find("; "));
+  }
+  std::vector<std::string> text{fmt::format("The way is planned anew, since what was left of the old plan cannot be carried along: {}.", why)};
+  const Path rest = remainder(old, driven);
+  const Proof proof = prove(problem, rest);
+  const Pose& goal = problem.last_pose();
+  const Pose end = end_pose(rest);
+  if (proof.certificate.collision_free) {
+    text.push_back(fmt::format("Driven on as it is, the old plan ends {:.4f} m and {:.4f} rad from the goal as it is now, and the footprint keeps at least {:.4f} m from "
+                               "everything at every pose within the pose error.",
+                               distance(end.position(), goal.position()), std::abs(shorter_turn(end.heading, goal.heading)), proof.certificate.clearance));
+  } else {
+    text.push_back("Driven on as it is, the old plan is not free of collision.");
+  }
+  return text;
+}
+
+/// What was left of the old plan, for the picture.
+Alternative old_plan(const Path& old, double driven) {
+  Alternative a;
+  a.name = "old plan";
+  a.outcome = "What was left of the plan that was being driven.";
+  for (const Sample& s : sample(remainder(old, driven), 0.0, 0.01, 0.12)) a.poses.push_back(s.pose());
+  return a;
 }
 
 }  // namespace
@@ -35,13 +62,16 @@ Parsed<Plan> replan(const Problem& problem, const Path& old, double driven, cons
     const PreparedDocking prepared{problem};
     const PatternDockingOptions options;
     const LatticeSearch optimizer;
+    const double prepared_in = std::chrono::duration<double>(Clock::now() - begin).count();
     PatternSolver solver{prepared, options, optimizer, problem.scenario().seed};
     Budget budget{problem.scenario().budget, cancel};
     if (const auto rest = solver.carry_on(old, driven, budget)) {
-      const double planned_in = std::chrono::duration<double>(Clock::now() - begin).count();
+      const double planned_in = std::chrono::duration<double>(Clock::now() - begin).count() - prepared_in;
       Plan plan = judge(problem, rest->path, cancel);
+      plan.timing.prepare = prepared_in;
       plan.timing.plan = planned_in;
       plan.effort.evaluations = budget.evaluations();
+      plan.alternatives.push_back(old_plan(old, driven));
       plan.explanation.push_back(carried_sentence(*rest, budget.evaluations()));
       explain_mission(problem, plan, plan.explanation);
       if (plan.status == Status::solved) plan.explanation.push_back(proof_sentence(problem, plan));
@@ -49,7 +79,11 @@ Parsed<Plan> replan(const Problem& problem, const Path& old, double driven, cons
     }
   }
   auto plan = solve(problem, cancel);
-  if (plan && may_be_carried_on) plan->explanation.insert(plan->explanation.begin(), anew_sentence(problem, old, driven));
+  if (plan && may_be_carried_on) {
+    const std::vector<std::string> why = anew_sentences(problem, old, driven);
+    plan->explanation.insert(plan->explanation.begin(), why.begin(), why.end());
+    plan->alternatives.push_back(old_plan(old, driven));
+  }
   return plan;
 }
 

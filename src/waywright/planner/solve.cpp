@@ -39,6 +39,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
     plan.explanation = std::move(result->explanation);
     plan.alternatives = std::move(result->alternatives);
     plan.optimality = result->optimality;
+    if (problem.motion() && !description->goes_on_in_motion) plan.explanation.insert(plan.explanation.begin(), stop_sentence(problem));
     explain_mission(problem, plan, plan.explanation);
     plan.explanation.push_back(plan.status == Status::solved ? proof_sentence(problem, plan)
                                                              : "This path is not proven: " + plan.reason + ".");

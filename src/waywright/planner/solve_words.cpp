@@ -19,6 +19,13 @@ std::string proof_sentence(const Problem& problem, const Plan& plan) {
   return text + ".";
 }
 
+std::string stop_sentence(const Problem& problem) {
+  const EntryMotion& motion = *problem.motion();
+  return fmt::format("The vehicle moves {} at {:.2f} m/s when the plan begins: its path begins with the {:.2f} m in which it can stop with the curvature that it has "
+                     "({:.3f} 1/m), and what was planned follows.",
+                     motion.direction < 0 ? "backwards" : "forwards", motion.speed, length(problem.stopping_stretch()), motion.curvature);
+}
+
 void explain_mission(const Problem& problem, const Plan& plan, std::vector<std::string>& text) {
   const Scenario& scenario = problem.scenario();
   if (problem.is_driven_back()) {

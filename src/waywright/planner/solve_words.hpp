@@ -15,4 +15,7 @@ std::string proof_sentence(const Problem& problem, const Plan& plan);
 /// What the mission adds to what the planner was asked.
 void explain_mission(const Problem& problem, const Plan& plan, std::vector<std::string>& text);
 
+/// That a vehicle which moves stops first. @pre it moves
+std::string stop_sentence(const Problem& problem);
+
 }  // namespace waywright

@@ -131,7 +131,8 @@ std::optional<InputError> Problem::set_motion() {
   EntryMotion motion{std::abs(given.speed), given.speed < 0.0 ? -1 : 1, given.curvature};
   const Limits& limits = vehicle().limits;
   const double most = motion.direction < 0 ? limits.reverse_speed : limits.speed;
-  if (motion.speed > most) {
+  constexpr double measured = 1e-3;  // share of the speed
+  if (motion.speed > most * (1.0 + measured)) {
     return refuse("start.speed", fmt::format("{} m/s is over the vehicle's limit in that direction", motion.speed), fmt::format("at most {} m/s", most));
   }
   if (std::abs(motion.curvature) > vehicle().max_curvature()) {
@@ -238,7 +239,7 @@ std::optional<Failure> Problem::check_ends() const {
   return check_pocket();
 }
 
-std::optional<Failure> Problem::check_stop() const {
+std::optional<Problem::BlockedStop> Problem::blocked_stop() const {
   if (!motion_) return std::nullopt;
   constexpr double step = 0.02;  // m; between them the proof decides
   const double required = required_clearance();
@@ -247,12 +248,18 @@ std::optional<Failure> Problem::check_stop() const {
   for (double i = 1.0; i <= steps; ++i) {
     const Pose pose = i == steps ? rest_ : start_pose(remainder(Path{{*stopping_}}, whole * i / steps));
     const Contact contact = world_.clearance(footprint_, pose, required + 1.0);
-    if (contact.clearance > 0.0 && contact.clearance >= required - 1e-9) continue;
-    Failure failure = end_failure(world_, contact, pose, true, required);
-    failure.reason = fmt::format("the vehicle cannot come to rest in time: {:.2f} m on, {}", whole * i / steps, failure.reason);
-    return failure;
+    if (contact.clearance == 0.0 || contact.clearance < required - 1e-9) return BlockedStop{whole * i / steps, pose, contact};
   }
   return std::nullopt;
+}
+
+std::optional<Failure> Problem::check_stop() const {
+  const auto blocked = blocked_stop();
+  if (!blocked) return std::nullopt;
+  Failure failure = end_failure(world_, blocked->contact, blocked->pose, true, required_clearance());
+  failure.status = Status::no_path;
+  failure.reason = fmt::format("the vehicle cannot come to rest in time: {:.2f} m on, {}", blocked->driven, failure.reason);
+  return failure;
 }
 
 /// The pose with the forks in.

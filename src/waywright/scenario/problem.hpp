@@ -62,6 +62,13 @@ class Problem {
   /// at the start that is over the vehicle's limits. Empty where all are fine.
   std::optional<Failure> check_ends() const;
   /// Where a moving vehicle would be too near to something before it comes to rest, looked at every 2 cm.
+  struct BlockedStop {
+    double driven = 0.0;  ///< m
+    Pose pose{};
+    Contact contact{};
+  };
+  std::optional<BlockedStop> blocked_stop() const;
+  /// The same in words.
   std::optional<Failure> check_stop() const;
 
  private:

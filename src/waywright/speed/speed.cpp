@@ -22,7 +22,7 @@ constexpr double same_place = 1e-9;
 constexpr double turning_threshold = 1e-4;
 // m/s: where limits ask for less (a cusp), the vehicle stands for a moment.
 constexpr double creeping = 1e-6;
-// Shares of v²: rounding of a profile, and how far over its limits a moving start may be measured.
+// Shares of v²: rounding of a profile, and how far over what it may be a moving start may be measured.
 constexpr double rounding = 2e-6;
 constexpr double measured = 2e-3;
 // Turning on the spot where the vehicle has no limit: rad/s and rad/s².
@@ -177,7 +177,7 @@ class Profile {
   /// steps are those of their worse end: who takes up a path between another's samples meets other caps than that did.) False where
   /// the profile is not met: it is left as it was.
   bool brakes_from(double w) {
-    if (w <= w_.front() * (1.0 + rounding)) {
+    if (w <= w_.front() * (1.0 + measured)) {
       w_.front() = std::min(w_.front(), w);
       return true;
     }

@@ -45,8 +45,8 @@ struct SpeedWorkspace {
 };
 double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed, SpeedWorkspace& workspace);
 
-/// Can the first sample be passed with this speed (m/s, > 0) so that the rest keeps all limits? 0.1 % over a limit there is allowed for: speeds
-/// are measured.
+/// Can the first sample be passed with this speed (m/s, > 0) so that the rest keeps all limits? 0.1 % too fast is allowed for, since speeds are
+/// measured: the profile then begins that much slower.
 bool can_start_with(const std::vector<Sample>& samples, const Vehicle& vehicle, double speed, SpeedWorkspace& workspace);
 
 /// Greatest speed in m/s with which the first sample can surely be passed so: that of the profile. 0 where the vehicle must stand there.

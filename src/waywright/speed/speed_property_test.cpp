@@ -85,7 +85,7 @@ TEST(Speed, EveryLimitHoldsFromAMovingStart) {
     const double faster = greatest * random.uniform(1.0, 1.5);
     const bool can = can_start_with(samples, vehicle, faster, workspace);
     assign_speed(samples, vehicle, faster);
-    ASSERT_NEAR(samples.front().speed, can ? faster : greatest, 1e-5 * faster) << "path " << i;
+    ASSERT_NEAR(samples.front().speed, can ? faster : greatest, 1e-3 * faster) << "path " << i;
     ASSERT_EQ(broken_limit(samples, vehicle, 2e-3, samples.front().speed), "") << "path " << i;
     braking += can ? 1 : 0;
     const double slower = greatest * random.uniform(0.01, 0.999);

@@ -23,6 +23,15 @@ bool carry_end(Path& path, const Pose& to, double& farthest) {
   auto* spline = std::get_if<Spline>(&path.pieces.back().curve);
   if (spline == nullptr) return false;
   const Shift shift{from, to};
+  if (spline->spans.size() == 1 && spline->spans[0].degree == 1) {
+    // A straight run alone can only be longer or shorter.
+    const Vec2 along = Frame{from}.to_local(to.position());
+    auto& control = spline->spans[0].control;
+    if (std::abs(along.y) > same_place || std::abs(shorter_turn(from.heading, to.heading)) > same_heading) return false;
+    if (dot(to.position() - control[0], control[1] - control[0]) <= 0.0) return false;
+    shift.move(control[1], farthest);
+    return true;
+  }
   for (std::size_t i = spline->spans.size(); i-- > 0;) {
     BezierSpan& span = spline->spans[i];
     if (span.degree == 5) {

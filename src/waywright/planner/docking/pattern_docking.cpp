@@ -45,7 +45,7 @@ PlanningResult PatternDockingPlanner::plan(const PreparedDocking& prepared, Budg
     return planned;
   }
   PlanningFailure failure = failure_of(problem, task, solver, outcomes, budget);
-  if (!fallback_ || budget.exhausted() || solver.blocked_stop()) return tl::unexpected{std::move(failure)};
+  if (!fallback_ || budget.exhausted() || !solver.can_stop()) return tl::unexpected{std::move(failure)};
 
   PlanningResult second = fallback_->plan(problem, budget);
   if (second) {

@@ -17,7 +17,7 @@ const SideFound* PatternSolver::solve(bool second_choice, Budget& budget) {
   const Problem& problem = prepared_.problem();
   sides_ = &none_;
   in_motion_ = tried_in_motion_ = false;
-  blocked_stop_ = problem.check_stop();
+  can_stop_ = !problem.blocked_stop();
   if (const auto& motion = problem.motion(); motion && motion->direction < 0) {
     tried_in_motion_ = in_motion_ = true;
     const PatternEntry moving{{placement_of(problem.first_pose()), motion->curvature}, motion->speed};
@@ -25,7 +25,7 @@ const SideFound* PatternSolver::solve(bool second_choice, Budget& budget) {
     in_motion_ = false;
     if (budget.exhausted()) return nullptr;
   }
-  if (blocked_stop_) return nullptr;
+  if (!can_stop_) return nullptr;
   const PatternEntry standing{{placement_of(problem.start())}};
   if (const SideFound* best = best_standing(search_.search(standing, options_.evaluations, seed_, second_choice, budget))) return best;
   for (std::int64_t times = 2; times <= harder_times && !budget.limits().evaluations && !budget.exhausted(); ++times) {

@@ -30,7 +30,7 @@ class PatternSolver {
   const std::vector<SideFound>& sides() const { return *sides_; }  ///< what came of each, in the order of the task's zones
   bool in_motion() const { return in_motion_; }         ///< the pattern begins while the vehicle moves
   bool tried_in_motion() const { return tried_in_motion_; }
-  const std::optional<Failure>& blocked_stop() const { return blocked_stop_; }  ///< why it cannot stop first
+  bool can_stop() const { return can_stop_; }           ///< false: the vehicle moves and is too near to something before it comes to rest
   const Path& path() const { return path_; }            ///< the whole mission's, where one stands
   const Proof& proof() const { return proof_; }         ///< its proof
   std::vector<Sample>& samples();                       ///< its samples, without t and speed
@@ -46,7 +46,7 @@ class PatternSolver {
   std::vector<SideFound>* sides_ = nullptr;
   std::vector<SideFound> none_;
   bool in_motion_ = false, tried_in_motion_ = false;
-  std::optional<Failure> blocked_stop_;
+  bool can_stop_ = true;
   ProofWorkspace proving_;
   SpeedWorkspace timing_;
   Path path_;

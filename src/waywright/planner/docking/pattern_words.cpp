@@ -57,7 +57,7 @@ SideOutcome outcome_of(const PreparedDocking& prepared, const Zone& zone, const 
   const Problem& problem = prepared.problem();
   SideOutcome outcome;
   outcome.side = zone.side;
-  if (!found.wanted && solver.blocked_stop() && !zone.left_out()) {
+  if (!found.wanted && !solver.can_stop() && !zone.left_out()) {
     outcome.sentence = fmt::format("The {} side was not searched: the vehicle cannot come to rest in time.", to_string(zone.side));
     return outcome;
   }
@@ -102,7 +102,7 @@ std::vector<std::string> entry_sentences(const Problem& problem, const PatternSo
   const auto& motion = problem.motion();
   if (!motion) return {};
   const char* way = motion->direction < 0 ? "backwards" : "forwards";
-  if (solver.blocked_stop() && !solver.in_motion()) return {};
+  if (!solver.can_stop() && !solver.in_motion()) return {};
   if (solver.in_motion()) {
     return {fmt::format("The vehicle moves {} at {:.2f} m/s with a curvature of {:.3f} 1/m when the plan begins, and goes on from there without stopping.", way,
                         motion->speed, motion->curvature)};
@@ -178,9 +178,9 @@ PlanningFailure failure_of(const Problem& problem, const DockingTask& task, cons
   }
   failure.failure.status = budget.canceled() ? Status::canceled : budget.cut_short() ? Status::timed_out : Status::no_path;
   failure.failure.reason = fmt::format("no docking pattern fits: {}", fmt::join(sides, ", "));
-  if (solver.blocked_stop()) {
-    failure.failure.reason += "; " + solver.blocked_stop()->reason;
-    failure.failure.point = solver.blocked_stop()->point;
+  if (const auto stop = problem.check_stop()) {
+    failure.failure.reason += "; " + stop->reason;
+    failure.failure.point = stop->point;
   }
   failure.alternatives = alternatives_of(task, outcomes, nullptr);
   return failure;
