@@ -42,25 +42,10 @@ namespace {
 
 using fixture::Id;
 
-/// The forks in, or out with the load: tines of 0.21 m, pockets 4 cm wider on each side.
-Scenario with_pockets(Manoeuvre manoeuvre) {
-  Scenario s = fixture::station(Id::d1, {3.0, -2.0, 0.4});
-  s.vehicle.footprint.polygon = {{-2.30, -0.45}, {-0.75, -0.45}, {-0.75, -0.33}, {0.40, -0.33}, {0.40, -0.12}, {-0.75, -0.12},
-                                 {-0.75, 0.12},  {0.40, 0.12},   {0.40, 0.33},   {-0.75, 0.33}, {-0.75, 0.45}, {-2.30, 0.45}};
-  s.vehicle.forks = {rectangle({-0.75, -0.33}, {0.40, -0.12}), rectangle({-0.75, 0.12}, {0.40, 0.33})};
-  s.vehicle.loads["pallet"] = {{rectangle({-0.75, -0.40}, {0.45, 0.40}), 0.0}, 800.0};
-  auto& station = std::get<Station>(s.mission);
-  station.manoeuvre = manoeuvre;
-  station.insertion = Insertion{1.0, {{-0.37, -0.08}, {0.08, 0.37}}};
-  if (manoeuvre == Manoeuvre::undock) s.carried_load = "pallet";
-  s.pose_error = {0.01, 0.01, 0.004};
-  return s;
-}
-
 std::vector<Scenario> scenarios() {
   const Pose somewhere{-37.5, 12.25, 2.1};
   std::vector<Scenario> all{fixture::station(Id::d0), fixture::station(Id::d1, somewhere), fixture::station(Id::d2), fixture::station(Id::d3),
-                            with_pockets(Manoeuvre::dock), with_pockets(Manoeuvre::undock)};
+                            fixture::with_pockets(Manoeuvre::dock), fixture::with_pockets(Manoeuvre::undock)};
   Scenario s = fixture::station(Id::d2, somewhere);
   s.pose_error = {0.02, 0.01, 0.005};
   s.clearance = 0.04;
@@ -137,7 +122,7 @@ TEST(Allocation, APlanFromAMovingStartTakesNone) {
   for (const double speed : {-0.7, 0.5}) {
     s.start_motion = {speed, 0.15};
     plans_without_memory(s, Status::solved);
-    Scenario pockets = with_pockets(Manoeuvre::dock);
+    Scenario pockets = fixture::with_pockets(Manoeuvre::dock);
     pockets.start_motion = {speed, 0.15};
     plans_without_memory(pockets, Status::solved);
   }

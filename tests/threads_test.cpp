@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "waywright/docking/docking.hpp"
 #include "waywright/io/plan_io.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/judge/judge.hpp"
@@ -19,7 +20,7 @@ std::string planned_by(const PlannerDescription& planner, const Parameters& para
   Budget budget{problem.scenario().budget};
   const PlanningResult result = planner.make(*complete_parameters(planner, parameters), 1).plan(problem, budget);
   if (!result) return result.error().failure.reason + "\n";
-  Plan plan = judge(problem, problem.whole_path(result->path));
+  Plan plan = judge(problem, problem.whole_path(result->path, result->begins_in_motion));
   plan.timing = {};
   plan.explanation = result->explanation;
   return plan_json(plan) + "\n";
@@ -54,6 +55,24 @@ TEST_P(Threads, EightPlanOnOneProblemAndGetTheSameBits) {
   const std::string alone = planned_by_all(problem);
   EXPECT_NE(alone.find("\"solved\""), std::string::npos);
   for (const std::string& text : texts) EXPECT_EQ(text, alone);
+}
+
+TEST(Sessions, EightSessionsOnOneDockingPlanAndReplanTheSame) {
+  const auto docking = Docking::prepare(read_scenario(std::string{WAYWRIGHT_SOURCE_DIR} + "/examples/dock_cluttered.json").value());
+  ASSERT_TRUE(docking);
+  const auto travel_times = [&] {
+    auto session = DockingSession::on(*docking);
+    const DockingPlan plan = session->plan();
+    // Carried on from where it begins: the same station serves.
+    return std::pair{plan.travel_time, session->replan(plan, 0.0).travel_time};
+  };
+  std::vector<std::pair<double, double>> found(threads);
+  std::vector<std::thread> running;
+  for (auto& one : found) running.emplace_back([&] { one = travel_times(); });
+  for (std::thread& thread : running) thread.join();
+  const auto alone = travel_times();
+  EXPECT_GT(alone.first, 0.0);
+  for (const auto& one : found) EXPECT_EQ(one, alone);
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, Threads, testing::Values("dock_cluttered.json", "undock_loaded.json", "goal_pose.json"));

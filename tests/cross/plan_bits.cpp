@@ -74,21 +74,6 @@ void replan(const char* name, const Scenario& scenario, double share, Vec2 shift
   }
 }
 
-/// The forks in and the load out: tines of 0.21 m, pockets 4 cm wider on each side.
-Scenario with_pockets(Manoeuvre manoeuvre) {
-  Scenario s = fixture::station(fixture::Id::d1, {3.0, -2.0, 0.4});
-  s.vehicle.footprint.polygon = {{-2.30, -0.45}, {-0.75, -0.45}, {-0.75, -0.33}, {0.40, -0.33}, {0.40, -0.12}, {-0.75, -0.12},
-                                 {-0.75, 0.12},  {0.40, 0.12},   {0.40, 0.33},   {-0.75, 0.33}, {-0.75, 0.45}, {-2.30, 0.45}};
-  s.vehicle.forks = {rectangle({-0.75, -0.33}, {0.40, -0.12}), rectangle({-0.75, 0.12}, {0.40, 0.33})};
-  s.vehicle.loads["pallet"] = {{rectangle({-0.75, -0.40}, {0.45, 0.40}), 0.0}, 800.0};
-  auto& station = std::get<Station>(s.mission);
-  station.manoeuvre = manoeuvre;
-  station.insertion = Insertion{1.0, {{-0.37, -0.08}, {0.08, 0.37}}};
-  if (manoeuvre == Manoeuvre::undock) s.carried_load = "pallet";
-  s.pose_error = {0.01, 0.01, 0.004};
-  return s;
-}
-
 }  // namespace
 }  // namespace waywright
 
@@ -121,8 +106,8 @@ int main() {
   plan("disc", s);
   Scenario far = fixture::station(Id::d1, {123456.0, -654321.0, -1.3});
   plan("far out", far);
-  plan("forks in", with_pockets(Manoeuvre::dock));
-  plan("out with the load", with_pockets(Manoeuvre::undock));
+  plan("forks in", fixture::with_pockets(Manoeuvre::dock));
+  plan("out with the load", fixture::with_pockets(Manoeuvre::undock));
   Scenario goal = fixture::station(Id::d0);
   goal.mission = Pose{2.0, -1.0, 2.8};
   plan("goal pose", goal);

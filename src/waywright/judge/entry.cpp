@@ -19,8 +19,7 @@ bool can_be_entered(const Problem& problem, const std::vector<Sample>& samples, 
 std::optional<Violation> check_entry(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace) {
   const auto& motion = problem.motion();
   const Vehicle& vehicle = problem.vehicle();
-  const bool may_jump = !vehicle.steering_takes_time() && !vehicle.limits.angular_acceleration;
-  if (motion && !may_jump && std::abs(samples.front().curvature - motion->curvature) > estimated) {
+  if (motion && vehicle.stands_at_curvature_jumps() && std::abs(samples.front().curvature - motion->curvature) > estimated) {
     return Violation{fmt::format("the vehicle's way has a curvature of {:.3f} 1/m when the plan begins, and that of the poses is about {:.3f} 1/m",
                                  motion->curvature, samples.front().curvature),
                      problem.first_pose()};

@@ -119,8 +119,7 @@ std::optional<Violation> check_entry_motion(const Problem& problem, const Piece&
     return Violation{fmt::format("the vehicle moves {} when the plan begins, and the path begins {}", name(motion->direction), name(first.direction)),
                      problem.first_pose()};
   }
-  const bool may_jump = !problem.vehicle().steering_takes_time() && !problem.vehicle().limits.angular_acceleration;
-  if (std::holds_alternative<PoseSequence>(first.curve) || may_jump) return std::nullopt;  // of poses: judge/entry
+  if (std::holds_alternative<PoseSequence>(first.curve) || !problem.vehicle().stands_at_curvature_jumps()) return std::nullopt;  // of poses: judge/entry
   const double begins = start_curvature(first);
   if (std::abs(begins - motion->curvature) <= curvature_tolerance) return std::nullopt;
   return Violation{fmt::format("the vehicle's way has a curvature of {:.6f} 1/m when the plan begins, and the path begins with {:.6f} 1/m", motion->curvature, begins),

@@ -339,8 +339,7 @@ double time_from_rest_to_rest(const Sample& before, const Sample& after, const V
 bool must_stand(const Sample& before, const Sample& after, const Vehicle& vehicle) {
   if (is_direction_change(before, after) || before.direction == 0 || after.direction == 0) return true;
   if (turn_on_the_spot(before, after) != 0.0) return true;
-  const bool stops_at_jumps = vehicle.steering_takes_time() || vehicle.limits.angular_acceleration.has_value();
-  return stops_at_jumps && is_curvature_jump(before, after);
+  return vehicle.stands_at_curvature_jumps() && is_curvature_jump(before, after);
 }
 
 bool is_curvature_jump(const Sample& before, const Sample& after, double tolerance) {

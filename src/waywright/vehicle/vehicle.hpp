@@ -73,6 +73,8 @@ struct Vehicle {
   bool can_turn_on_the_spot() const;
   /// Curvature rate or steering rate is limited: the curvature can jump only where the vehicle stands.
   bool steering_takes_time() const;
+  /// That, or angular acceleration is limited: a vehicle that moves cannot change its curvature at once.
+  bool stands_at_curvature_jumps() const { return steering_takes_time() || limits.angular_acceleration.has_value(); }
   /// Steering angle of a tricycle at a path curvature; 0 for other drives.
   double steering_angle(double curvature) const;
 };

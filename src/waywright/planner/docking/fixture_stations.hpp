@@ -59,6 +59,21 @@ inline Scenario station(Id id, const Pose& place = {}) {
   return s;
 }
 
+/// The forks in and the load out: tines of 0.21 m, pockets 4 cm wider on each side.
+inline Scenario with_pockets(Manoeuvre manoeuvre) {
+  Scenario s = station(Id::d1, {3.0, -2.0, 0.4});
+  s.vehicle.footprint.polygon = {{-2.30, -0.45}, {-0.75, -0.45}, {-0.75, -0.33}, {0.40, -0.33}, {0.40, -0.12}, {-0.75, -0.12},
+                                 {-0.75, 0.12},  {0.40, 0.12},   {0.40, 0.33},   {-0.75, 0.33}, {-0.75, 0.45}, {-2.30, 0.45}};
+  s.vehicle.forks = {rectangle({-0.75, -0.33}, {0.40, -0.12}), rectangle({-0.75, 0.12}, {0.40, 0.33})};
+  s.vehicle.loads["pallet"] = {{rectangle({-0.75, -0.40}, {0.45, 0.40}), 0.0}, 800.0};
+  auto& station = std::get<Station>(s.mission);
+  station.manoeuvre = manoeuvre;
+  station.insertion = Insertion{1.0, {{-0.37, -0.08}, {0.08, 0.37}}};
+  if (manoeuvre == Manoeuvre::undock) s.carried_load = "pallet";
+  s.pose_error = {0.01, 0.01, 0.004};
+  return s;
+}
+
 inline Problem problem(Id id, const Pose& place = {}) { return Problem::prepare(station(id, place)).value(); }
 
 }  // namespace waywright::fixture
