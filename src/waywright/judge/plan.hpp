@@ -30,6 +30,7 @@ struct Alternative {
   std::string outcome;         ///< one sentence
   std::vector<Pose> poses;     ///< best path found, for the picture; may be empty
   Ring zone;                   ///< transition zone, for the picture; may be empty
+  bool was_driven = false;     ///< not tried, but what a plan that was being driven had left
 };
 
 /// What branch and bound showed of the planner's objective.

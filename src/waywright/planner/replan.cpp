@@ -47,6 +47,7 @@ std::vector<std::string> anew_sentences(const Problem& problem, const Path& old,
 Alternative old_plan(const Path& old, double driven) {
   Alternative a;
   a.name = "old plan";
+  a.was_driven = true;
   a.outcome = "What was left of the plan that was being driven.";
   for (const Sample& s : sample(remainder(old, driven), 0.0, 0.01, 0.12)) a.poses.push_back(s.pose());
   return a;

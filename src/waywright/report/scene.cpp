@@ -179,7 +179,8 @@ class Scene {
       for (const Pose& p : a.poses) points.push_back(p.position());
       svg_.polyline(points, "alt");
       const bool side = a.zone.size() >= 3;
-      const std::string text = !a.cost ? a.name + ": no way"
+      const std::string text = a.was_driven ? a.name
+                               : !a.cost    ? a.name + ": no way"
                                : side  ? fmt::format("{}: cost {:.3f}", a.name, *a.cost)
                                        : fmt::format("{}: {:.2f} m", a.name, *a.cost);
       const Vec2 at = calm_point(points, busy);
