@@ -64,7 +64,7 @@ struct DockingSession::State {
 
   /// `old` null: nothing to carry on.
   void work(const DockingPlan* old, double driven, const BudgetLimits& limits, const std::atomic<bool>* cancel) {
-    // `old` may be this session's own last plan.
+    // `old` may be the last plan made here.
     const bool is_old_solved = old != nullptr && old->status == Status::solved;
     const Path driven_path = is_old_solved ? old->path : Path{};
     start_over();

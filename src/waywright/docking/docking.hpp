@@ -79,7 +79,7 @@ class DockingSession {
   DockingSession& operator=(DockingSession&&) noexcept;
   ~DockingSession();
 
-  /// As Docking's. What is returned stays until the next plan. (`old` may be this session's last plan.)
+  /// As Docking's. What is returned stays until the next plan. (`old` may be the last plan made here.)
   const DockingPlan& plan(const BudgetLimits& limits = {}, const std::atomic<bool>* cancel = nullptr) noexcept;
   const DockingPlan& replan(const DockingPlan& old, double driven, const BudgetLimits& limits = {}, const std::atomic<bool>* cancel = nullptr) noexcept;
   /// Why the last plan is not solved, in one sentence; empty where it is.
