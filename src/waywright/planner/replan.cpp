@@ -29,14 +29,16 @@ std::vector<std::string> anew_sentences(const Problem& problem, const Path& old,
     why = judged.reason.substr(0, judged.reason.find("; "));
   }
   std::vector<std::string> text{fmt::format("The way is planned anew, since what was left of the old plan cannot be carried along: {}.", why)};
-  const Path rest = remainder(old, driven);
+  Path rest = remainder(old, driven);
+  if (problem.pocket() && rest.pieces.size() > 1) rest.pieces.pop_back();  // its way into the shelf as that was
   const Proof proof = prove(problem, rest);
-  const Pose& goal = problem.last_pose();
+  const Pose& goal = problem.goal();
   const Pose end = end_pose(rest);
   if (proof.certificate.collision_free) {
-    text.push_back(fmt::format("Driven on as it is, the old plan ends {:.4f} m and {:.4f} rad from the goal as it is now, and the footprint keeps at least {:.4f} m from "
+    text.push_back(fmt::format("Driven on as it is, the old plan comes to {:.4f} m and {:.4f} rad from the {} as it is now, and the footprint keeps at least {:.4f} m from "
                                "everything at every pose within the pose error.",
-                               distance(end.position(), goal.position()), std::abs(shorter_turn(end.heading, goal.heading)), proof.certificate.clearance));
+                               distance(end.position(), goal.position()), std::abs(shorter_turn(end.heading, goal.heading)), problem.pocket() ? "docked pose" : "goal",
+                               proof.certificate.clearance));
   } else {
     text.push_back("Driven on as it is, the old plan is not free of collision.");
   }

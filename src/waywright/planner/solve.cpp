@@ -6,6 +6,7 @@
 #include "waywright/planner/solve_words.hpp"
 
 namespace waywright {
+
 Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
   const Scenario& scenario = problem.scenario();
   auto parameters = complete_parameters(scenario.planner);
