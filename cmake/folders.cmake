@@ -42,7 +42,7 @@ function(waywright_flags target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
                          $<$<BOOL:${WAYWRIGHT_WERROR}>:-Werror>)
   # No fused multiply-add that one processor has and another has not: the same bits everywhere.
-  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  target_compile_options(${target} PRIVATE -ffp-contract=off -fno-math-errno)
 endfunction()
 
 # Kernels that are compiled once for each instruction set: files kernels_NAME.cpp of a folder, chosen among at run time.

@@ -69,7 +69,8 @@ constexpr std::array<Parts, 17> atan_table{{
 
 /// atan on [0, 1]: the nearest sixteenth from the table and a short series for the rest.
 double atan_unit(double t) {
-  const double i = std::floor(16.0 * t + 0.5);
+  const auto index = static_cast<unsigned>(16.0 * t + 0.5);
+  const auto i = static_cast<double>(index);
   const double c = i / 16.0;
   const double r = (t - c) / (1.0 + t * c);
   const double z = r * r;
@@ -78,7 +79,7 @@ double atan_unit(double t) {
   p = 1.0 / 7.0 - z * p;
   p = 1.0 / 5.0 - z * p;
   p = 1.0 / 3.0 - z * p;
-  const Parts& base = atan_table[static_cast<std::size_t>(i)];
+  const Parts& base = atan_table[index];
   return base.high + (r - r * (z * p) + base.low);
 }
 

@@ -3,20 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "waywright/curve/gauss.hpp"
+
 namespace waywright {
 namespace {
-
-// 16-point Gauss–Legendre rule on [−1, 1], positive half (Abramowitz & Stegun, table 25.4).
-constexpr std::array<double, 8> gauss_node{0.0950125098376374402, 0.2816035507792589132, 0.4580167776572273863,
-                                           0.6178762444026437484, 0.7554044083550030339, 0.8656312023878317439,
-                                           0.9445750230732325761, 0.9894009349916499326};
-constexpr std::array<double, 8> gauss_weight{0.1894506104550684963, 0.1826034150449235889, 0.1691565193950025382,
-                                             0.1495959888165767321, 0.1246289712555338720, 0.0951585116824927848,
-                                             0.0622535239386478929, 0.0271524594117540949};
-
-// The same with 8 points, for short stretches.
-constexpr std::array<double, 4> short_gauss_node{0.1834346424956498049, 0.5255324099163289859, 0.7966664774136267396, 0.9602898564975362317};
-constexpr std::array<double, 4> short_gauss_weight{0.3626837833783619830, 0.3137066458778872873, 0.2223810344533744706, 0.1012285362903762592};
 
 /// De Casteljau's algorithm level by level, without loops.
 template <std::size_t... i>
@@ -27,6 +17,24 @@ Vec2 de_casteljau(const Vec2* points, double u, std::index_sequence<i...>) {
     const std::array<Vec2, sizeof...(i)> next{(points[i] + u * (points[i + 1] - points[i]))...};
     return de_casteljau(next.data(), u, std::make_index_sequence<sizeof...(i) - 1>{});
   }
+}
+
+/// A velocity of degree m and its first two derivatives: de Casteljau's last levels hold their differences.
+template <std::size_t m, std::size_t... i>
+void velocity(const Vec2* points, double u, Derivatives& d, std::index_sequence<i...>) {
+  constexpr std::size_t degree = sizeof...(i);
+  if constexpr (degree == 2) d.d3 = static_cast<double>(m * (m - 1)) * ((points[2] - points[1]) - (points[1] - points[0]));
+  if constexpr (degree == 1) d.d2 = static_cast<double>(m) * (points[1] - points[0]);
+  if constexpr (degree == 0) {
+    d.d1 = points[0];
+  } else {
+    const std::array<Vec2, degree> next{(points[i] + u * (points[i + 1] - points[i]))...};
+    velocity<m>(next.data(), u, d, std::make_index_sequence<degree - 1>{});
+  }
+}
+template <std::size_t m>
+void velocity(const std::array<Vec2, 6>& points, double u, Derivatives& d) {
+  velocity<m>(points.data(), u, d, std::make_index_sequence<m>{});
 }
 
 Vec2 de_casteljau(const std::array<Vec2, 6>& points, int degree, double u) {
@@ -64,25 +72,25 @@ Derivative derivative_of(const BezierSpan& span) {
   return power;
 }
 
-[[gnu::always_inline]] inline double speed_at(const Derivative& d, double u) {
-  const Vec2 at = d[0] + u * (d[1] + u * (d[2] + u * (d[3] + u * d[4])));
-  return norm(at);
+[[gnu::always_inline]] inline Vec2 velocity_at(const Derivative& d, double u) {
+  return d[0] + u * (d[1] + u * (d[2] + u * (d[3] + u * d[4])));
 }
+[[gnu::always_inline]] inline double speed_at(const Derivative& d, double u) { return norm(velocity_at(d, u)); }
 
 template <std::size_t n>
-double gauss(const std::array<double, n>& node, const std::array<double, n>& weight, const Derivative& derivative, double a, double b) {
+double gauss(const GaussHalf<n>& rule, const Derivative& derivative, double a, double b) {
   const double half = 0.5 * (b - a);
   const double middle = 0.5 * (a + b);
   double sum = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    sum += weight[i] * (speed_at(derivative, middle - half * node[i]) + speed_at(derivative, middle + half * node[i]));
+    sum += rule.weight[i] * (speed_at(derivative, middle - half * rule.node[i]) + speed_at(derivative, middle + half * rule.node[i]));
   }
   return half * sum;
 }
 /// Length of the span with this derivative over [a, b].
-double gauss(const Derivative& derivative, double a, double b) { return gauss(gauss_node, gauss_weight, derivative, a, b); }
+double gauss(const Derivative& derivative, double a, double b) { return gauss(gauss_16, derivative, a, b); }
 /// The same for a stretch of a 32nd of a regular span or less.
-double short_gauss(const Derivative& derivative, double a, double b) { return gauss(short_gauss_node, short_gauss_weight, derivative, a, b); }
+double short_gauss(const Derivative& derivative, double a, double b) { return gauss(gauss_8, derivative, a, b); }
 
 /// Solves the tridiagonal system with diagonal 2(h[i−1]+h[i]) for the second derivatives inside (Thomas).
 std::vector<Vec2> natural_second_derivatives(std::span<const Vec2> points, const std::vector<double>& h) {
@@ -112,18 +120,23 @@ std::vector<double> chords(std::span<const Vec2> points) {
 
 }  // namespace
 
-Derivatives derivatives(const BezierSpan& span, double u) {
-  const auto first = hodograph(span.control, span.degree);
+SpanDerivatives::SpanDerivatives(const BezierSpan& span) : degree_{span.degree}, points_{span.control}, velocities_{hodograph(points_, degree_)} {}
+
+Derivatives SpanDerivatives::at(double u) const {
   Derivatives d;
-  d.p = de_casteljau(span.control, span.degree, u);
-  d.d1 = de_casteljau(first, span.degree - 1, u);
-  if (span.degree < 2) return d;
-  const auto second = hodograph(first, span.degree - 1);
-  d.d2 = de_casteljau(second, span.degree - 2, u);
-  if (span.degree < 3) return d;
-  d.d3 = de_casteljau(hodograph(second, span.degree - 2), span.degree - 3, u);
+  d.p = de_casteljau(points_, degree_, u);
+  switch (degree_) {
+    case 1: velocity<0>(velocities_, u, d); break;
+    case 2: velocity<1>(velocities_, u, d); break;
+    case 3: velocity<2>(velocities_, u, d); break;
+    case 4: velocity<3>(velocities_, u, d); break;
+    case 5: velocity<4>(velocities_, u, d); break;
+    default: break;
+  }
   return d;
 }
+
+Derivatives derivatives(const BezierSpan& span, double u) { return SpanDerivatives{span}.at(u); }
 
 CurvePoint curve_point(const Derivatives& d) {
   CurvePoint point;
@@ -188,8 +201,13 @@ ArcLengthTable::ArcLengthTable(const BezierSpan& span) : derivative_{derivative_
     cumulative_.back() = distance(span.control[0], span.control[1]);
     return;
   }
-  for (std::size_t i = 0; i < parts; ++i) {
-    cumulative_[i + 1] = cumulative_[i] + gauss(derivative_, static_cast<double>(i) / parts, static_cast<double>(i + 1) / parts);
+  for (std::size_t i = 0; i <= parts; ++i) {
+    const double u = static_cast<double>(i) / parts;
+    if (i > 0) cumulative_[i] = cumulative_[i - 1] + gauss(derivative_, static_cast<double>(i - 1) / parts, u);
+    const Vec2 velocity = velocity_at(derivative_, u);
+    const Vec2 acceleration = derivative_[1] + u * (2.0 * derivative_[2] + u * (3.0 * derivative_[3] + (4.0 * u) * derivative_[4]));
+    const double speed = norm(velocity);
+    slopes_[i] = {1.0 / speed, -dot(velocity, acceleration) / (speed * speed * speed * speed)};
   }
 }
 
@@ -206,10 +224,13 @@ double ArcLengthTable::parameter(double s) const {
   const double whole = cumulative_[part + 1] - cumulative_[part];
   double a = low;
   double b = high;
-  // u over s as a cubic through both ends of the part, where its slope is one over the speed.
+  // u over s as a quintic with the slopes and second derivatives of both ends of the part.
   const double t = rest / whole;
-  const double before = whole / speed_at(derivative_, low), after = whole / speed_at(derivative_, high);
-  double u = low + t * (before + t * (3.0 * (high - low) - 2.0 * before - after + t * (before + after - 2.0 * (high - low))));
+  const auto [slope0, bend0] = slopes_[part];
+  const auto [slope1, bend1] = slopes_[part + 1];
+  const double p1 = whole * slope0, p2 = 0.5 * whole * whole * bend0;
+  const double q0 = (high - low) - p1 - p2, q1 = whole * slope1 - p1 - 2.0 * p2, q2 = 0.5 * whole * whole * bend1 - p2;
+  double u = low + t * (p1 + t * (p2 + t * (10.0 * q0 - 4.0 * q1 + q2 + t * (-15.0 * q0 + 7.0 * q1 - 2.0 * q2 + t * (6.0 * q0 - 3.0 * q1 + q2)))));
   if (!(u > low && u < high)) u = low + (high - low) * t;
   for (int i = 0; i < 30; ++i) {  // Newton, kept inside a shrinking bracket
     const double error = short_gauss(derivative_, low, u) - rest;

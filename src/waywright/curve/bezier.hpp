@@ -17,6 +17,17 @@ struct Derivatives {
 };
 Derivatives derivatives(const BezierSpan& span, double u);
 
+/// The same for many places of one span.
+class SpanDerivatives {
+ public:
+  explicit SpanDerivatives(const BezierSpan& span);
+  Derivatives at(double u) const;
+
+ private:
+  int degree_;
+  std::array<Vec2, 6> points_, velocities_;
+};
+
 /// Course, curvature and curvature rate from derivatives; where the speed vanishes, all three are 0.
 CurvePoint curve_point(const Derivatives& d);
 CurvePoint evaluate(const BezierSpan& span, double u);
@@ -45,6 +56,10 @@ class ArcLengthTable {
   std::array<Vec2, 5> derivative_;              ///< coefficients of 1, u, u², …
   bool is_straight_;
   std::array<double, parts + 1> cumulative_{};  ///< at u = i / parts; of a straight span only the last counts
+  struct Slope {
+    double first, second;  ///< du/ds, d²u/ds²
+  };
+  std::array<Slope, parts + 1> slopes_{};       ///< at the same places, of curved spans; infinite where the speed is 0
 };
 
 /// Cubic Hermite data to a Bézier span of degree 3: end points and derivatives with respect to u.
