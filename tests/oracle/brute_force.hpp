@@ -289,6 +289,7 @@ class Motion {
   double longest() const {
     if (const auto* line = std::get_if<waywright::Line>(&piece_.curve)) return span(line->from, line->to);
     if (const auto* arc = std::get_if<Arc>(&piece_.curve)) return arc->length;
+    if (const auto* clothoid = std::get_if<Clothoid>(&piece_.curve)) return clothoid->length;
     if (const auto* turn = std::get_if<Turn>(&piece_.curve))
       return radius_ * std::abs(turn->angle) + 0.01 * step_;
     double most = 0.0;
@@ -337,6 +338,25 @@ class Motion {
     const double r = 1.0 / arc.curvature;  // the centre lies r to the left
     return facing(arc.start.x + r * (std::sin(h + turn) - std::sin(h)),
                   arc.start.y - r * (std::cos(h + turn) - std::cos(h)), h + turn);
+  }
+
+  Pose pose_of(const Clothoid& clothoid, double u) const {
+    // Three-point Gauss on short panels, the standard library's sine and cosine.
+    const double end = u * clothoid.length;
+    const auto course = [&](double s) { return clothoid.start.heading + s * clothoid.curvature + 0.5 * s * s * clothoid.curvature_rate; };
+    const double bend = std::max(std::abs(clothoid.curvature), std::abs(clothoid.curvature + clothoid.curvature_rate * clothoid.length));
+    const int panels = 4 + static_cast<int>(std::min(1e5, 4.0 * bend * clothoid.length));
+    const double h = end / panels;
+    double x = 0.0, y = 0.0;
+    for (int i = 0; i < panels; ++i) {
+      for (const int k : {-1, 0, 1}) {
+        const double weight = (k == 0 ? 8.0 : 5.0) / 18.0 * h;
+        const double at = course(h * (i + 0.5 + 0.5 * k * std::sqrt(0.6)));
+        x += weight * std::cos(at);
+        y += weight * std::sin(at);
+      }
+    }
+    return facing(clothoid.start.x + x, clothoid.start.y + y, course(end));
   }
 
   Pose pose_of(const Spline& spline, double u) const {

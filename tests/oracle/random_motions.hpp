@@ -46,6 +46,7 @@ inline Map random_map(Random& random, const Clutter& clutter) {
 inline Curve random_curve(Random& random, const Pose& from) {
   const double kind = random.uniform();
   if (kind < 0.2) return Line{from.position(), from.position() + random.uniform(0.2, 4.0) * unit(from.heading)};
+  if (kind < 0.35) return Clothoid{from, random.uniform(-0.8, 0.8), random.uniform(-0.6, 0.6), random.uniform(0.2, 4.0)};
   if (kind < 0.5) return Arc{from, random.uniform(-0.8, 0.8), random.uniform(0.2, 4.0)};
   const Pose to{random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-pi, pi)};
   const double d = distance(from.position(), to.position()) * random.uniform(0.6, 1.6) + 0.1;

@@ -27,6 +27,14 @@ struct Arc {
   double length = 0.0;
 };
 
+/// Curvature that changes evenly with arc length: κ(s) = curvature + curvature_rate·s. `start.heading` is the course at the start; length in m, > 0.
+struct Clothoid {
+  Pose start{};
+  double curvature = 0.0;       ///< 1/m, at the start, left positive
+  double curvature_rate = 0.0;  ///< 1/m²
+  double length = 0.0;
+};
+
 /// Bézier curve of degree 1 to 5 over u in [0, 1]; control[0..degree] are used.
 /// Law: the curve lies in the convex hull of its control points; its tangents lie in the cone of their differences.
 struct BezierSpan {
@@ -60,7 +68,7 @@ struct PoseSequence {
   std::vector<Pose> poses;  ///< vehicle headings, at least 2
 };
 
-using Curve = std::variant<Line, Arc, Spline, Turn, PoseSequence>;
+using Curve = std::variant<Line, Arc, Clothoid, Spline, Turn, PoseSequence>;
 
 /// Position, course, curvature and dκ/ds at one place of a curve.
 struct CurvePoint {

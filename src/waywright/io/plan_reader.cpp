@@ -18,17 +18,28 @@ constexpr double largest_angle = 1e6;                   // rad
 constexpr double largest_number = std::numeric_limits<double>::max();
 constexpr std::int64_t largest_count = std::numeric_limits<std::int64_t>::max();
 
+/// The course is kept as written, not wrapped: it defines the curve to the last bit.
+Pose read_course(const Node& node) {
+  if (!node.is_array_of(3, "[x, y, course]")) return {};
+  return {node.at(std::size_t{0}).number(-largest_on_path, largest_on_path), node.at(1).number(-largest_on_path, largest_on_path),
+          node.at(2).number(-largest_angle, largest_angle)};
+}
+
 Arc read_arc(const Node& node) {
   Arc arc;
-  const Node start = node.at("start");
-  if (!start.is_array_of(3, "[x, y, course]")) return arc;
-  // The course is kept as written, not wrapped: it defines the curve to the last bit.
-  arc.start = {start.at(std::size_t{0}).number(-largest_on_path, largest_on_path),
-               start.at(1).number(-largest_on_path, largest_on_path),
-               start.at(2).number(-largest_angle, largest_angle)};
+  arc.start = read_course(node.at("start"));
   arc.curvature = node.at("curvature").number(-1e6, 1e6);
   arc.length = node.at("length").number_above(0.0, largest_on_path);
   return arc;
+}
+
+Clothoid read_clothoid(const Node& node) {
+  Clothoid clothoid;
+  clothoid.start = read_course(node.at("start"));
+  clothoid.curvature = node.at("curvature").number(-1e6, 1e6);
+  clothoid.curvature_rate = node.at("curvature_rate").number(-1e12, 1e12);
+  clothoid.length = node.at("length").number_above(0.0, largest_on_path);
+  return clothoid;
 }
 
 Spline read_spline(const Node& node, SplineKind kind) {
@@ -58,6 +69,10 @@ Curve read_curve(const Node& node, const std::string& kind) {
     if (!node.is_object_of({"kind", "direction", "start", "curvature", "length"})) return {};
     return read_arc(node);
   }
+  if (kind == "clothoid") {
+    if (!node.is_object_of({"kind", "direction", "start", "curvature", "curvature_rate", "length"})) return {};
+    return read_clothoid(node);
+  }
   if (kind == "turn") {
     if (!node.is_object_of({"kind", "direction", "at", "from", "angle"})) return {};
     return Turn{node.at("at").point(largest_on_path), node.at("from").number(-largest_angle, largest_angle),
@@ -78,7 +93,7 @@ Curve read_curve(const Node& node, const std::string& kind) {
 Piece read_piece(const Node& node) {
   Piece piece;
   const std::string kind = node.at("kind").word(
-      {"line", "arc", "turn", "poses", word_of(SplineKind::natural_cubic), word_of(SplineKind::quintic)});
+      {"line", "arc", "clothoid", "turn", "poses", word_of(SplineKind::natural_cubic), word_of(SplineKind::quintic)});
   if (node.failed()) return piece;
   piece.curve = read_curve(node, kind);
   if (node.failed()) return piece;

@@ -27,6 +27,13 @@ Json piece_to_json(const Piece& piece) {
                   {"start", to_json(curve.start)},
                   {"curvature", curve.curvature},
                   {"length", curve.length}};
+        } else if constexpr (std::is_same_v<C, Clothoid>) {
+          return {{"kind", "clothoid"},
+                  {"direction", piece.direction},
+                  {"start", to_json(curve.start)},
+                  {"curvature", curve.curvature},
+                  {"curvature_rate", curve.curvature_rate},
+                  {"length", curve.length}};
         } else if constexpr (std::is_same_v<C, Turn>) {
           return {{"kind", "turn"},
                   {"direction", piece.direction},

@@ -148,6 +148,7 @@ class Fingerprint {
   }
   void add(const Line& c) { add_all(c.from, c.to); }
   void add(const Arc& c) { add_all(c.start, c.curvature, c.length); }
+  void add(const Clothoid& c) { add_all(c.start, c.curvature, c.curvature_rate, c.length); }
   void add(const Turn& c) { add_all(c.at, c.from, c.angle); }
   void add(const PoseSequence& c) { add(c.poses); }
   void add(const Spline& c) { add_all(static_cast<int>(c.kind), c.spans); }

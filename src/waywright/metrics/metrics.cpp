@@ -5,6 +5,7 @@
 
 #include "waywright/curve/arc.hpp"
 #include "waywright/curve/bezier.hpp"
+#include "waywright/curve/clothoid.hpp"
 #include "waywright/core/elementary.hpp"
 #include "waywright/path/pose_motion.hpp"
 
@@ -50,6 +51,7 @@ class CurvatureAlong {
   }
   void add(const Line& line) { add_linear(arc_length(line), 0.0, 0.0); }
   void add(const Arc& arc) { add_linear(arc.length, arc.curvature, arc.curvature); }
+  void add(const Clothoid& clothoid) { add_linear(clothoid.length, clothoid.curvature, end_curvature(clothoid)); }
   void add(const Turn&) {}
   void add(const PoseSequence& sequence) {
     const std::vector<EstimatedCurvature> estimates = estimated_curvature(sequence, direction_);

@@ -4,6 +4,7 @@
 
 #include "waywright/curve/arc.hpp"
 #include "waywright/curve/bezier.hpp"
+#include "waywright/curve/clothoid.hpp"
 
 namespace waywright {
 namespace {
@@ -14,6 +15,7 @@ struct Ends {
 
 Ends ends_of(const Line& line) { return {evaluate(line, 0.0), {line.to, angle_of(line.to - line.from), 0.0, 0.0}}; }
 Ends ends_of(const Arc& arc) { return {evaluate(arc, 0.0), evaluate(arc, arc.length)}; }
+Ends ends_of(const Clothoid& clothoid) { return {evaluate(clothoid, 0.0), evaluate(clothoid, clothoid.length)}; }
 Ends ends_of(const Spline& spline) { return {evaluate(spline.spans.front(), 0.0), evaluate(spline.spans.back(), 1.0)}; }
 
 Pose vehicle_pose(const CurvePoint& point, int direction) {
@@ -68,7 +70,7 @@ double length(const Piece& piece) {
         using C = std::decay_t<decltype(curve)>;
         if constexpr (std::is_same_v<C, Line>) {
           return arc_length(curve);
-        } else if constexpr (std::is_same_v<C, Arc>) {
+        } else if constexpr (std::is_same_v<C, Arc> || std::is_same_v<C, Clothoid>) {
           return curve.length;
         } else if constexpr (std::is_same_v<C, Spline>) {
           double sum = 0.0;

@@ -5,6 +5,7 @@
 
 #include "waywright/curve/arc.hpp"
 #include "waywright/curve/bezier.hpp"
+#include "waywright/curve/clothoid.hpp"
 
 namespace waywright {
 namespace {
@@ -19,6 +20,8 @@ Arc rest_of(const Arc& arc, double driven) {
   const CurvePoint from = evaluate(arc, driven);
   return {make_pose(from.position, from.course), arc.curvature, arc.length - driven};
 }
+
+Clothoid rest_of(const Clothoid& clothoid, double driven) { return rest_from(clothoid, driven); }
 
 Spline rest_of(const Spline& spline, double driven) {
   Spline rest{spline.kind, {}};

@@ -2,6 +2,7 @@
 #include <type_traits>
 
 #include "waywright/curve/arc.hpp"
+#include "waywright/curve/clothoid.hpp"
 #include "waywright/path/path.hpp"
 
 namespace waywright {
@@ -12,6 +13,7 @@ Arc other_way(const Arc& arc) {
   const CurvePoint end = evaluate(arc, arc.length);
   return {make_pose(end.position, wrap(end.course + pi)), -arc.curvature, arc.length};
 }
+Clothoid other_way(const Clothoid& clothoid) { return reversed(clothoid); }
 Spline other_way(Spline spline) {
   std::reverse(spline.spans.begin(), spline.spans.end());
   for (BezierSpan& span : spline.spans) std::reverse(span.control.begin(), span.control.begin() + span.degree + 1);

@@ -5,6 +5,7 @@
 
 #include "waywright/curve/arc.hpp"
 #include "waywright/curve/bezier.hpp"
+#include "waywright/curve/clothoid.hpp"
 #include "waywright/curve/span_bounds.hpp"
 #include "waywright/path/path.hpp"
 #include "waywright/path/pose_motion.hpp"
@@ -44,6 +45,10 @@ double steps_of(const BezierSpan& span, const Density& density) {
   return steps_of(ArcLengthTable{span}.length(), curvature_peaks(span), density);
 }
 
+double steps_of(const Clothoid& clothoid, const Density& density) {
+  return steps_of(clothoid.length, {greatest_curvature(clothoid), std::abs(clothoid.curvature_rate)}, density);
+}
+
 /// At least as many, at a glance.
 double coarse_steps_of(const BezierSpan& span, const Density& density) {
   return steps_of(control_length(span), coarse_curvature_peaks(span), density);
@@ -59,6 +64,8 @@ double steps_of(const Piece& piece, const Density& density, SpanSteps span_steps
           return steps_of(arc_length(curve), {}, density);
         } else if constexpr (std::is_same_v<C, Arc>) {
           return steps_of(curve.length, {std::abs(curve.curvature), 0.0}, density);
+        } else if constexpr (std::is_same_v<C, Clothoid>) {
+          return steps_of(curve, density);
         } else if constexpr (std::is_same_v<C, Turn>) {
           return steps_of(curve, density);
         } else {
@@ -78,6 +85,9 @@ class Sampler {
  public:
   Sampler(const Density& density, std::vector<Sample>& samples) : density_{density}, samples_{samples} {}
 
+  /// More samples were needed than there may be.
+  bool is_full() const { return is_full_; }
+
   void add(const Piece& piece, std::size_t index) {
     direction_ = piece.direction;
     piece_ = index;
@@ -86,8 +96,11 @@ class Sampler {
   }
 
  private:
-  std::size_t count(double steps) const {
+  std::size_t count(double steps) {
     const double widened = std::ceil(steps / density_.widening);
+    const bool may_widen = density_.widening == 1.0;
+    if (may_widen && !(static_cast<double>(samples_.size()) + widened <= static_cast<double>(most_samples))) is_full_ = true;
+    if (is_full_) return 1;
     return widened >= 1.0 ? static_cast<std::size_t>(std::min(widened, static_cast<double>(most_samples))) : 1;
   }
 
@@ -139,17 +152,29 @@ class Sampler {
     }
   }
 
+  void follow(const Clothoid& clothoid) {
+    const double s0 = begin();
+    const std::size_t steps = count(steps_of(clothoid, density_));
+    const ClothoidPanels panels{clothoid};
+    for (std::size_t i = 0; i < steps; ++i) {
+      const double s = clothoid.length * static_cast<double>(i) / static_cast<double>(steps);
+      push(s0 + s, panels.at(s));
+    }
+    push(s0 + clothoid.length, evaluate(clothoid, clothoid.length));
+  }
+
   /// Each span by its own bounds. Where two spans meet with different curvature, the place stands twice.
   void follow(const Spline& spline) {
     for (const BezierSpan& span : spline.spans) {
       at_joint_ = !samples_.empty();
       const ArcLengthTable table{span};
+      const SpanDerivatives derivatives{span};
       const double s0 = begin();
       const double total = table.length();
       const std::size_t steps = count(steps_of(total, curvature_peaks(span), density_));
       for (std::size_t i = 0; i <= steps; ++i) {
         const double s = total * static_cast<double>(i) / static_cast<double>(steps);
-        push(s0 + s, evaluate(span, i == steps ? 1.0 : table.parameter(s)));
+        push(s0 + s, curve_point(derivatives.at(i == steps ? 1.0 : table.parameter(s))));
       }
     }
   }
@@ -190,7 +215,19 @@ class Sampler {
   int direction_ = 1;
   std::size_t piece_ = 0;
   bool at_joint_ = false;
+  bool is_full_ = false;
 };
+
+/// False, and not all of them, where more than there may be were needed and steps were not widened.
+bool sampled(const Path& path, const Density& density, std::vector<Sample>& samples) {
+  samples.clear();
+  Sampler sampler{density, samples};
+  for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+    sampler.add(path.pieces[i], i);
+    if (sampler.is_full()) return false;
+  }
+  return true;
+}
 
 double all_samples(const Path& path, const Density& density, SpanSteps span_steps) {
   double needed = 1.0;
@@ -215,13 +252,8 @@ std::vector<Sample> sample(const Path& path, double radius, double tolerance, do
 }
 
 void sample(const Path& path, double radius, double tolerance, double step, std::vector<Sample>& samples) {
-  samples.clear();
-  Density density{radius, tolerance, step};
-  if (!can_be_sampled(path, radius, tolerance, step)) {
-    density.widening = std::max(1.0, samples_needed(path, radius, tolerance, step) / static_cast<double>(most_samples));
-  }
-  Sampler sampler{density, samples};
-  for (std::size_t i = 0; i < path.pieces.size(); ++i) sampler.add(path.pieces[i], i);
+  if (sampled(path, {radius, tolerance, step}, samples)) return;
+  sampled(path, {radius, tolerance, step, std::max(1.0, samples_needed(path, radius, tolerance, step) / static_cast<double>(most_samples))}, samples);
 }
 
 }  // namespace waywright

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "waywright/curve/bezier.hpp"
+#include "waywright/curve/clothoid.hpp"
 #include "waywright/proof/pose_limits.hpp"
 
 namespace waywright {
@@ -17,7 +18,7 @@ constexpr double relative_slack = 1e-6;      // of a limit
 constexpr double curvature_tolerance = 1e-6;  // 1/m, of a curvature that goes on
 constexpr std::size_t most_intervals = 400000;
 constexpr int deepest = 48;                  // halvings
-constexpr double most_turning = 1e3;         // rad, of one arc: its heading loses digits with every turn
+constexpr double most_turning = 1e3;         // rad, of one curve: its heading loses digits with every turn
 
 bool finite_curve(const Curve& curve) {
   return std::visit(
@@ -27,6 +28,8 @@ bool finite_curve(const Curve& curve) {
           return is_finite(c.from) && is_finite(c.to) && c.from != c.to;
         } else if constexpr (std::is_same_v<C, Arc>) {
           return is_finite(c.start) && std::isfinite(c.curvature) && std::isfinite(c.length) && c.length > 0.0;
+        } else if constexpr (std::is_same_v<C, Clothoid>) {
+          return is_finite(c.start) && std::isfinite(c.curvature) && std::isfinite(end_curvature(c)) && std::isfinite(c.length) && c.length > 0.0;
         } else if constexpr (std::is_same_v<C, Turn>) {
           return is_finite(c.at) && std::isfinite(c.from) && std::isfinite(c.angle);
         } else if constexpr (std::is_same_v<C, PoseSequence>) {
@@ -45,16 +48,22 @@ bool finite_curve(const Curve& curve) {
       curve);
 }
 
+/// rad, by no less than an arc or clothoid turns.
+double turning_of(const Curve& curve) {
+  if (const auto* arc = std::get_if<Arc>(&curve)) return std::abs(arc->curvature * arc->length);
+  if (const auto* clothoid = std::get_if<Clothoid>(&curve)) return greatest_curvature(*clothoid) * clothoid->length;
+  return 0.0;
+}
+
 /// Branch and bound over a path's curves: does a quantity of curvature keep its limit everywhere? Tells where and by how much it does not.
 template <class Bounds>
 class LimitSearch {
  public:
-  /// `value` of a curve's point is what the bounds bound; arcs and lines have `elsewhere` of a curvature.
+  /// `value` of a curve's point is what the bounds bound. Where there are none, curvature changes evenly: it is greatest at an end.
   struct Quantity {
     const char* name;
     const char* unit;
     double (*value)(const CurvePoint& point);
-    double (*elsewhere)(double curvature);
   };
   LimitSearch(const Quantity& quantity, double limit) : quantity_{quantity}, limit_{limit}, greatest_{limit * (1.0 + relative_slack)} {}
 
@@ -71,8 +80,11 @@ class LimitSearch {
  private:
   bool goes_on(const MotionInterval& interval) {
     if (interval.span() != nullptr) return goes_on(interval, Bounds{interval.span()->bounds}, 0.0, 1.0, 0);
-    const double found = std::abs(quantity_.elsewhere(interval.curvature_at_begin()));
-    return found <= greatest_ || found_excess(found, interval.begin());
+    const double rate = interval.curvature_rate();
+    const double at_begin = std::abs(quantity_.value({{}, 0.0, interval.curvature_at_begin(), rate}));
+    const double at_end = std::abs(quantity_.value({{}, 0.0, interval.curvature_at_end(), rate}));
+    if (std::max(at_begin, at_end) <= greatest_) return true;
+    return at_end > at_begin ? found_excess(at_end, interval.end()) : found_excess(at_begin, interval.begin());
   }
 
   /// Of the part of the interval's span that begins at `u` and is `width` wide.
@@ -137,10 +149,8 @@ std::vector<Violation> check_form(const Path& path) {
       violations.push_back({fmt::format("piece {} is empty or has a number that is not finite", i), std::nullopt});
       continue;
     }
-    if (const auto* arc = std::get_if<Arc>(&piece.curve); arc != nullptr && std::abs(arc->curvature * arc->length) > most_turning) {
-      violations.push_back({fmt::format("piece {} is an arc that turns by {:.0f} rad; at most {:.0f} rad can be proven", i,
-                                        std::abs(arc->curvature * arc->length), most_turning),
-                            std::nullopt});
+    if (const double turning = turning_of(piece.curve); turning > most_turning) {
+      violations.push_back({fmt::format("piece {} turns by {:.0f} rad; at most {:.0f} rad can be proven", i, turning, most_turning), std::nullopt});
     }
     const bool turn = std::holds_alternative<Turn>(piece.curve);
     if (turn != (piece.direction == 0) || std::abs(piece.direction) > 1) {
@@ -198,12 +208,12 @@ std::vector<Violation> check_limits(const Vehicle& vehicle, const Path& path, co
   }
   if (const double limit = vehicle.max_curvature(); std::isfinite(limit)) {
     LimitSearch<CurvatureBounds> search{
-        {"curvature", "1/m", [](const CurvePoint& p) { return p.curvature; }, [](double curvature) { return curvature; }}, limit};
+        {"curvature", "1/m", [](const CurvePoint& p) { return p.curvature; }}, limit};
     if (auto violation = search.run(motion, path)) violations.push_back(std::move(*violation));
   }
   if (vehicle.limits.curvature_rate) {
     LimitSearch<CurvatureRateBounds> search{
-        {"curvature rate", "1/m²", [](const CurvePoint& p) { return p.curvature_rate; }, [](double) { return 0.0; }}, *vehicle.limits.curvature_rate};
+        {"curvature rate", "1/m²", [](const CurvePoint& p) { return p.curvature_rate; }}, *vehicle.limits.curvature_rate};
     if (auto violation = search.run(motion, path)) violations.push_back(std::move(*violation));
   }
   return violations;

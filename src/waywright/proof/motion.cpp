@@ -6,8 +6,8 @@
 #include <tuple>
 #include <type_traits>
 
-#include "waywright/curve/arc.hpp"
 #include "waywright/curve/bezier.hpp"
+#include "waywright/curve/clothoid.hpp"
 
 namespace waywright {
 namespace {
@@ -61,12 +61,12 @@ MotionInterval MotionInterval::straight(const Pose& begin, const Pose& end, int 
   return interval;
 }
 
-MotionInterval MotionInterval::of(const Arc& arc, int direction) {
-  const CurvePoint a = evaluate(arc, 0.0);
-  const CurvePoint b = evaluate(arc, arc.length);
+MotionInterval MotionInterval::of(const Clothoid& clothoid, int direction) {
+  const CurvePoint a = evaluate(clothoid, 0.0);
+  const CurvePoint b = evaluate(clothoid, clothoid.length);
   MotionInterval interval = straight(vehicle_pose(a.position, a.course, direction), vehicle_pose(b.position, b.course, direction), direction);
-  interval.end_.heading = interval.begin_.heading + arc.curvature * arc.length;
-  interval.curve_ = arc;
+  interval.end_.heading = interval.begin_.heading + clothoid.length * (clothoid.curvature + 0.5 * clothoid.curvature_rate * clothoid.length);
+  interval.curve_ = clothoid;
   return interval;
 }
 
@@ -111,6 +111,8 @@ void Motion::add(const Piece& piece) {
         if constexpr (std::is_same_v<C, Line>) {
           straight(start_pose(piece), end_pose(piece));
         } else if constexpr (std::is_same_v<C, Arc>) {
+          intervals_.push_back(MotionInterval::of(Clothoid{curve.start, curve.curvature, 0.0, curve.length}, piece.direction));
+        } else if constexpr (std::is_same_v<C, Clothoid>) {
           intervals_.push_back(MotionInterval::of(curve, piece.direction));
         } else if constexpr (std::is_same_v<C, Turn>) {
           straight(make_pose(curve.at, curve.from), make_pose(curve.at, curve.from + curve.angle));
@@ -136,8 +138,9 @@ double MotionInterval::deviation(double radius) const {
   // Rotating a point evenly by `turned` leaves the chord between its two places by at most radius·turned²/8.
   const double chord = radius * turned * turned / 8.0;
   if (std::holds_alternative<Straight>(curve_)) return chord;
-  if (const auto* arc = std::get_if<Arc>(&curve_)) {
-    return chord + std::abs(arc->curvature) * arc->length * arc->length / 8.0;
+  if (const auto* c = std::get_if<Clothoid>(&curve_)) {
+    // Position and heading leave their chords by at most |κ|l²/8 and |κ′|l²/8.
+    return chord + (greatest_curvature(*c) + radius * std::abs(c->curvature_rate)) * c->length * c->length / 8.0;
   }
   const BoundedSpan& p = *span();
   // Position: difference from the even segment lies in the hull of the control points' differences.
@@ -163,14 +166,15 @@ MotionHalves::MotionHalves(const MotionInterval& whole) : left{whole}, right{who
     right.end_ = continued(right.begin_, whole.end_);
     left.curve_ = &left_span_;
     right.curve_ = &right_span_;
-  } else if (const auto* arc = std::get_if<Arc>(&whole.curve_)) {
-    const double half = 0.5 * arc->length;
-    Arc left_arc = *arc;
-    Arc right_arc = *arc;
-    left_arc.length = right_arc.length = half;
-    right_arc.start = make_pose(evaluate(*arc, half).position, arc->start.heading + arc->curvature * half);
-    left = MotionInterval::of(left_arc, whole.direction_);
-    right = MotionInterval::of(right_arc, whole.direction_);
+  } else if (const auto* c = std::get_if<Clothoid>(&whole.curve_)) {
+    const double half = 0.5 * c->length;
+    Clothoid first = *c;
+    Clothoid second = *c;
+    first.length = second.length = half;
+    second.start = make_pose(evaluate(*c, half).position, course_at(*c, half));
+    second.curvature = c->curvature + c->curvature_rate * half;
+    left = MotionInterval::of(first, whole.direction_);
+    right = MotionInterval::of(second, whole.direction_);
   } else {
     left.end_ = right.begin_ =
         make_pose(0.5 * (whole.begin_.position() + whole.end_.position()), 0.5 * (whole.begin_.heading + whole.end_.heading));
@@ -188,7 +192,8 @@ bool MotionInterval::is_translation() const { return std::holds_alternative<Stra
 double MotionInterval::rounding(double radius) const {
   double reach = std::max({std::abs(begin_.x), std::abs(begin_.y), std::abs(end_.x), std::abs(end_.y)});
   double heading = unit_roundoff * std::max(std::abs(begin_.heading), std::abs(end_.heading));
-  if (const auto* arc = std::get_if<Arc>(&curve_)) reach += arc->length;
+  // Rounding of a course is as long as the way from there.
+  if (const auto* c = std::get_if<Clothoid>(&curve_)) reach += c->length * (1.0 + 0.1 * std::max(std::abs(begin_.heading), std::abs(end_.heading)));
   if (const BoundedSpan* p = span()) {
     // Control points are rounded at each halving, and a tangent is their difference. Without a bound on speed there is none on turning.
     for (std::size_t i = 0; i <= static_cast<std::size_t>(p->span.degree); ++i) {
@@ -201,11 +206,17 @@ double MotionInterval::rounding(double radius) const {
 }
 
 double MotionInterval::curvature_at_begin() const {
-  if (const auto* arc = std::get_if<Arc>(&curve_)) return arc->curvature;
+  if (const auto* c = std::get_if<Clothoid>(&curve_)) return c->curvature;
   return span() == nullptr ? 0.0 : evaluate(span()->span, 0.0).curvature;
 }
 
+double MotionInterval::curvature_rate() const {
+  const auto* c = std::get_if<Clothoid>(&curve_);
+  return c == nullptr ? 0.0 : c->curvature_rate;
+}
+
 double MotionInterval::curvature_at_end() const {
+  if (const auto* c = std::get_if<Clothoid>(&curve_)) return end_curvature(*c);
   return span() == nullptr ? curvature_at_begin() : evaluate(span()->span, 1.0).curvature;
 }
 
@@ -215,7 +226,7 @@ Pose MotionInterval::pose_at(double u) const {
 }
 
 double MotionInterval::length() const {
-  if (const auto* arc = std::get_if<Arc>(&curve_)) return arc->length;
+  if (const auto* c = std::get_if<Clothoid>(&curve_)) return c->length;
   if (const BoundedSpan* p = span()) return arc_length(p->span);
   return distance(begin_.position(), end_.position());
 }

@@ -40,7 +40,9 @@ class MotionInterval {
 
   double curvature_at_begin() const;
   double curvature_at_end() const;
-  /// The Bézier span followed; nullptr where it is another curve, whose curvature is the same everywhere.
+  /// dκ/ds where it is the same everywhere, 1/m². @pre there is no span
+  double curvature_rate() const;
+  /// The Bézier span followed; nullptr where it is another curve, whose curvature changes evenly.
   const BoundedSpan* span() const;
   /// Pose at a parameter of the span. @pre there is one
   Pose pose_at(double u) const;
@@ -55,14 +57,14 @@ class MotionInterval {
 
   MotionInterval() = default;
   static MotionInterval straight(const Pose& begin, const Pose& end, int direction);
-  static MotionInterval of(const Arc& arc, int direction);
+  static MotionInterval of(const Clothoid& clothoid, int direction);
   static MotionInterval of(const BoundedSpan& span, int direction);
 
   Pose begin_{};
   Pose end_{};
   int direction_ = 1;
   int depth_ = 0;
-  std::variant<Straight, Arc, const BoundedSpan*> curve_;
+  std::variant<Straight, Clothoid, const BoundedSpan*> curve_;  ///< an arc is a clothoid whose curvature stays
 };
 
 /// Halves of an interval, that join. They may refer to the spans beside them.

@@ -33,8 +33,10 @@ void bounds_hold(int runs, std::uint64_t seed, double step) {
       ++free;
       ASSERT_GT(truth, 0.0) << "seed " << seed << " run " << i;
     }
+    if (samples_needed(path, footprint.radius(), proof.certificate.tolerance) > static_cast<double>(most_samples)) continue;  // nearly a cusp: refused
     // The oracle's samples can miss the least clearance by half its step.
-    ASSERT_GE(proof.certificate.clearance, truth - proof.certificate.tolerance - step) << "seed " << seed << " run " << i;
+    ASSERT_GE(proof.certificate.clearance, truth - proof.certificate.tolerance - step)
+        << "seed " << seed << " run " << i << ": " << (proof.violations.empty() ? "" : proof.violations.front().sentence);
   }
   EXPECT_GT(free, runs / 50);
 }

@@ -1,0 +1,136 @@
+// The G1 Hermite problem by clothoids: Bertolazzi and Frego 2015. With the chord as unit and x axis, headings φ0 and φ1 against it and δ = φ1 − φ0, the
+// phase is P(τ) = Aτ² + (δ − A)τ + φ0 over τ in [0, 1], and A is a root of ∫ sin P for which ∫ cos P, the chord over the length, is positive.
+#include <array>
+#include <cmath>
+
+#include "waywright/curve/clothoid.hpp"
+#include "waywright/curve/gauss.hpp"
+
+namespace waywright {
+namespace {
+
+constexpr int most_steps = 12;
+constexpr double near_root = 1e-6;   // of ∫ sin P, from where one more step is enough: the error is squared
+constexpr double least_share = 0.02;  // chord over length: curves longer than 50 chords come of both headings pointing back, one as −π, one as π
+
+struct Moments {
+  double along = 0.0;          // ∫ cos P
+  double across = 0.0;         // ∫ sin P
+  double along_slope = 0.0;    // d/dA of both
+  double across_slope = 0.0;
+};
+
+template <std::size_t n>
+void add_panel(double a, double delta, double phi0, double begin, double end, const GaussHalf<n>& rule, Moments& sum) {
+  const double half = 0.5 * (end - begin);
+  const double middle = 0.5 * (begin + end);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (const double t : {middle - half * rule.node[i], middle + half * rule.node[i]}) {
+      const SinCos p = sin_cos(phi0 + t * (delta - a + a * t));
+      const double w = half * rule.weight[i];
+      const double bulge = t * t - t;
+      sum.along += w * p.cos;
+      sum.across += w * p.sin;
+      sum.along_slope -= w * p.sin * bulge;
+      sum.across_slope += w * p.cos * bulge;
+    }
+  }
+}
+
+Moments moments(double a, double delta, double phi0) {
+  const double turning = std::abs(delta) + std::abs(a);  // at least the greatest slope of the phase
+  Moments sum;
+  if (turning <= 1.0) {
+    add_panel(a, delta, phi0, 0.0, 1.0, gauss_8, sum);
+    return sum;
+  }
+  const auto panels = static_cast<int>(std::ceil(turning / 8.0));
+  for (int i = 0; i < panels; ++i) add_panel(a, delta, phi0, static_cast<double>(i) / panels, static_cast<double>(i + 1) / panels, gauss_16, sum);
+  return sum;
+}
+
+/// Of the publication: a polynomial near the root everywhere.
+double first_guess(double phi0, double phi1) {
+  const double x = phi0 / pi, y = phi1 / pi;
+  const double p = x * y, q = x * x + y * y;
+  return (phi0 + phi1) * (2.989696028701907 + p * (0.716228953608281 - 0.458969738821509 * p) + q * (-0.502821153340377 + 0.261062141752652 * p - 0.045854475238709 * q));
+}
+
+struct Root {
+  double a, share;  // A; chord over length
+};
+
+std::optional<Root> newton(double a, double delta, double phi0) {
+  for (int i = 0; i < most_steps; ++i) {
+    const Moments m = moments(a, delta, phi0);
+    const double step = -m.across / m.across_slope;
+    if (!std::isfinite(step)) return std::nullopt;
+    a += step;
+    if (std::abs(m.across) > near_root || std::abs(step) > near_root) continue;
+    const double share = m.along + m.along_slope * step;
+    if (share < least_share) return std::nullopt;
+    return Root{a, share};
+  }
+  return std::nullopt;
+}
+
+/// Where Newton went astray: the root of the greatest share, that is of the shortest clothoid, among those bracketed by a fine grid.
+std::optional<Root> scanned(double delta, double phi0) {
+  constexpr double widest = 24.0;  // no root of a shortest solution lies beyond 3 (|φ0| + |φ1|) ≤ 6π
+  constexpr int cells = 480;
+  const auto at = [&](int i) { return widest * (2.0 * i / cells - 1.0); };
+  std::optional<Root> best;
+  double before = moments(at(0), delta, phi0).across;
+  for (int i = 1; i <= cells; ++i) {
+    const double across = moments(at(i), delta, phi0).across;
+    if ((across > 0.0) != (before > 0.0)) {
+      double low = at(i - 1), high = at(i);
+      for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low + high);
+        ((moments(middle, delta, phi0).across > 0.0) == (before > 0.0) ? low : high) = middle;
+      }
+      const double share = moments(low, delta, phi0).along;
+      if (share > 0.0 && (!best || share > best->share)) best = Root{low, share};
+    }
+    before = across;
+  }
+  return best;
+}
+
+struct Fit {
+  double delta;
+  Root root;
+};
+
+/// Turning by whole circles more or less leads to the same headings.
+std::optional<Fit> shortest(double delta, double phi0) {
+  std::optional<Fit> best;
+  for (const double turns : {delta, delta - two_pi, delta + two_pi}) {
+    const auto root = scanned(turns, phi0);
+    if (root && (!best || root->share > best->root.share)) best = Fit{turns, *root};
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<Clothoid> fit_clothoid(const Pose& from, const Pose& to) {
+  const Vec2 chord = to.position() - from.position();
+  const double r = norm(chord);
+  if (!(r > 0.0) || !std::isfinite(r) || !std::isfinite(from.heading) || !std::isfinite(to.heading)) return std::nullopt;
+  const double along = angle_of(chord);
+  const double phi0 = wrap(from.heading - along);
+  const double phi1 = wrap(to.heading - along);
+  const double delta = phi1 - phi0;
+  std::optional<Fit> fit;
+  if (const auto root = newton(first_guess(phi0, phi1), delta, phi0)) {
+    fit = Fit{delta, *root};
+  } else {
+    fit = shortest(delta, phi0);
+  }
+  if (!fit) return std::nullopt;
+  const double length = r / fit->root.share;
+  return Clothoid{from, (fit->delta - fit->root.a) / length, 2.0 * fit->root.a / (length * length), length};
+}
+
+}  // namespace waywright
