@@ -43,7 +43,7 @@ TEST(BadScenario, EveryFieldIsRefusedWithItsSentence) {
       {"/format", R"(1)", R"(format: it is a number (allowed: text))"},
       {"/name", R"(7)", R"(name: it is a number (allowed: text))"},
       {"/meta", R"([])", R"(meta: it is an array (allowed: an object))"},
-      {"/clearence", R"(0.1)", R"(clearence: unknown field, did you mean "clearance"? (allowed: format, name, meta, map, vehicle, start, goal, waypoints, station, legs, clearance, pose_error, zones, moving, budget, planner, seed, carried_load))"},
+      {"/clearence", R"(0.1)", R"(clearence: unknown field, did you mean "clearance"? (allowed: format, name, meta, map, vehicle, start, goal, waypoints, waypoint_radius, station, legs, clearance, pose_error, zones, moving, budget, planner, seed, carried_load))"},
       {"/map", R"()", R"(map: the field is missing (allowed: an object with polygons, cells, ros or image))"},
       {"/map", R"("map.json")", R"(map: it is text (allowed: an object with polygons, cells, ros or image))"},
       {"/vehicle", R"()", R"(vehicle: the field is missing (allowed: a vehicle, or the name of a file that holds one))"},
@@ -81,8 +81,9 @@ TEST(BadScenario, EveryFieldIsRefusedWithItsSentence) {
       {"/goal", R"([1,2,3])", R"(goal, station: more than one mission is given (allowed: exactly one of goal, station))"},
       {"/station", R"()", R"(goal: the mission is missing (allowed: exactly one of goal, station))"},
       {"/legs", R"([])", R"(station, legs: more than one mission is given (allowed: exactly one of goal, station))"},
-      {"/waypoints", R"([[1,2]])", R"(waypoints: it is not supported yet (allowed: an empty array))"},
-      {"/waypoints", R"(null)", R"(waypoints: it is null (allowed: an array))"},
+      {"/waypoints", R"([[1,2],[3]])", R"(waypoints[1]: it has 1 element (allowed: [x, y]))"},
+      {"/waypoints", R"(null)", R"(waypoints: it is null (allowed: an array of points [x, y]))"},
+      {"/waypoint_radius", "-0.1", "waypoint_radius: -0.1 is out of range (allowed: 0 to 1000)"},
       {"/station", R"([])", R"(station: it is an array (allowed: an object))"},
       {"/station/area", R"()", R"(station.area: the field is missing (allowed: an array of points [x, y]))"},
       {"/station/area", R"([])", R"(station.area: the polygon is empty (allowed: at least 3 corners [x, y]))"},
@@ -193,7 +194,6 @@ TEST(BadScenario, MissionsThatComeLaterAreNamed) {
        "goal: a goal region is not supported yet (allowed: a pose [x, y, heading])"},
       {"/goal", "[1]", "goal: it has 1 element (allowed: [x, y, heading])"},
       {"/goal", "null", "goal: it is null (allowed: [x, y, heading])"},
-      {"/waypoints", "[[0.5, 0]]", "waypoints: it is not supported yet (allowed: an empty array)"},
   };
   for (const BadField& field : fields)
     EXPECT_EQ(sentence_of(changed(least_scenario, field).dump()), "s.json: " + std::string{field.sentence});

@@ -23,6 +23,7 @@ constexpr double longest = 1e4;  // m, of shelves and gaps
 constexpr double fastest = 1e3;  // m/s
 constexpr double sharpest = 1e3;  // 1/m
 constexpr std::size_t most_pockets = 1000;
+constexpr std::size_t most_waypoints = 1000;
 
 /// A list that may stand there as long as it is empty.
 void not_yet(const Node& node, const char* field) {
@@ -107,7 +108,6 @@ Mission read_mission(const Node& node, std::vector<std::string>& notes) {
     node.at("legs").fail("it is not supported yet", "goal, station");
     return Pose{};
   }
-  not_yet(node, "waypoints");
   if (node.has("station")) return read_station(node.at("station"), notes);
   const Node goal = node.at("goal");
   if (goal.is_object()) {
@@ -119,6 +119,13 @@ Mission read_mission(const Node& node, std::vector<std::string>& notes) {
     return Pose{};
   }
   return goal.pose();
+}
+
+std::vector<Vec2> read_waypoints(const Node& node) {
+  if (node.is_array() && node.json().empty()) return {};
+  std::vector<Vec2> waypoints = node.points();
+  if (waypoints.size() > most_waypoints) node.fail(fmt::format("it has {} points", waypoints.size()), fmt::format("at most {}", most_waypoints));
+  return waypoints;
 }
 
 PoseError read_pose_error(const Node& node) {
@@ -184,7 +191,7 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder) {
   Scenario scenario;
   check_format(node, "scenario");  // first: a newer one may well have fields that are unknown here
   if (node.failed() || !node.is_object_of({"format", "name", "meta", "map", "vehicle", "start", "goal",
-                                           "waypoints", "station", "legs", "clearance", "pose_error", "zones",
+                                           "waypoints", "waypoint_radius", "station", "legs", "clearance", "pose_error", "zones",
                                            "moving", "budget", "planner", "seed", "carried_load"})) {
     return scenario;
   }
@@ -204,12 +211,15 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder) {
   if (node.failed()) return scenario;
   read_start(node.at("start"), scenario);
   scenario.mission = read_mission(node, notes);
+  if (node.has("waypoints")) scenario.waypoints = read_waypoints(node.at("waypoints"));
+  if (node.has("waypoint_radius")) scenario.waypoint_radius = node.at("waypoint_radius").number(0.0, 1e3);
   if (node.has("carried_load")) scenario.carried_load = node.at("carried_load").text();
   if (node.has("clearance")) scenario.clearance = node.at("clearance").number(0.0, 1e3);
   if (node.has("pose_error")) scenario.pose_error = read_pose_error(node.at("pose_error"));
   not_yet(node, "zones");
   not_yet(node, "moving");
   if (node.has("budget")) scenario.budget = read_budget(node.at("budget"));
+  if (!scenario.waypoints.empty()) scenario.planner.name = "waypoint_clothoid";
   if (node.has("planner")) {
     const Node planner = node.at("planner");
     if (planner.is_object()) scenario.planner.name = planner.at("name").text();
@@ -279,6 +289,12 @@ Json scenario_to_json(const Scenario& scenario) {
     }
   } else {
     j["goal"] = to_json(std::get<Pose>(scenario.mission));
+    if (!scenario.waypoints.empty()) {
+      Json points = Json::array();
+      for (const Vec2 p : scenario.waypoints) points.push_back(to_json(p));
+      j["waypoints"] = std::move(points);
+      j["waypoint_radius"] = scenario.waypoint_radius;
+    }
   }
   if (!scenario.carried_load.empty()) j["carried_load"] = scenario.carried_load;
   j["clearance"] = scenario.clearance;

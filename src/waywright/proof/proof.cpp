@@ -9,6 +9,7 @@
 
 #include "waywright/proof/collision.hpp"
 #include "waywright/proof/limits.hpp"
+#include "waywright/proof/passing.hpp"
 
 namespace waywright {
 namespace {
@@ -118,6 +119,7 @@ Proof prove(const Problem& problem, const Path& path, const ProofOptions& option
   motion.assign(path);
   append(proof.violations, check_continuity(problem, path, motion, options));
   append(proof.violations, check_limits(problem.vehicle(), path, motion));
+  append(proof.violations, check_waypoints(problem, motion, options));
 
   // What is driven in the open, and the stretch in the shelf.
   const std::optional<std::size_t> pocket_piece = problem.pocket_piece(path);

@@ -161,6 +161,24 @@ std::optional<InputError> Problem::set_motion() {
   return std::nullopt;
 }
 
+std::optional<InputError> Problem::check_waypoints() const {
+  const std::vector<Vec2>& waypoints = scenario_.waypoints;
+  if (waypoints.empty()) return std::nullopt;
+  if (std::holds_alternative<Station>(scenario_.mission)) return refuse("waypoints", "they are given beside a station", "waypoints on the way to a goal");
+  constexpr double apart = 1e-3;  // m
+  Vec2 before = rest_.position();
+  for (std::size_t i = 0; i <= waypoints.size(); ++i) {
+    const Vec2 here = i < waypoints.size() ? waypoints[i] : goal_.position();
+    if (distance(before, here) < apart + (i < waypoints.size() && i > 0 ? 2.0 : 1.0) * scenario_.waypoint_radius) {
+      const std::string field = i < waypoints.size() ? fmt::format("waypoints[{}]", i) : "goal";
+      return refuse(field, fmt::format("it is {:.4f} m from {}", distance(before, here), i == 0 ? std::string{"the start"} : fmt::format("waypoints[{}]", i - 1)),
+                    "places more than 1 mm apart, beyond the waypoint radius of both");
+    }
+    before = here;
+  }
+  return std::nullopt;
+}
+
 Parsed<Problem> Problem::prepare(Scenario scenario) {
   Problem problem;
   problem.scenario_ = std::move(scenario);
@@ -178,6 +196,7 @@ Parsed<Problem> Problem::prepare(Scenario scenario) {
     problem.goal_ = std::get<Pose>(given.mission);
   }
   if (auto error = problem.set_motion()) return tl::unexpected{*error};
+  if (auto error = problem.check_waypoints()) return tl::unexpected{*error};
   problem.world_.build();
   problem.pose_error_margin_ = margin_of(given.pose_error, problem.footprint_.radius());
   return problem;

@@ -76,6 +76,7 @@ class Problem {
   const Pose& at_shelf() const { return pocket_ ? pocket_->inner : goal_; }
   std::optional<InputError> set_station(const Station& station);
   std::optional<InputError> set_motion();
+  std::optional<InputError> check_waypoints() const;
   std::optional<Failure> check_motion() const;
   std::optional<Failure> check_pocket() const;
 

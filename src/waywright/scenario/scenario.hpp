@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "waywright/core/budget.hpp"
 #include "waywright/map/map.hpp"
@@ -62,7 +63,7 @@ struct StartMotion {
   double curvature = 0.0;  ///< 1/m of its way, in the direction of travel, left positive; of one that stands: no matter, it can steer first
 };
 
-/// What is asked: reach a pose, or dock at a station's shelf. (Waypoints, regions, legs: not supported yet.)
+/// What is asked: reach a pose, or dock at a station's shelf. (Regions, legs: not supported yet.)
 using Mission = std::variant<Pose, Station>;
 
 using ParameterValue = std::variant<bool, double, std::string>;
@@ -82,6 +83,8 @@ struct Scenario {
   Pose start{};
   StartMotion start_motion;
   Mission mission;
+  std::vector<Vec2> waypoints;   ///< to be passed in this order on the way to the pose; headings are free
+  double waypoint_radius = 0.0;  ///< m, ≥ 0: as near to each of them the path has to pass
   std::string carried_load;  ///< name of the vehicle's load that is carried all the way; empty: none
   double clearance = 0.0;  ///< m, ≥ 0, kept from everything by the whole footprint
   PoseError pose_error;
