@@ -35,21 +35,21 @@ World::World(const Map& map) : map_{map} {
   }
   for (std::size_t i = 0; i < map.obstacles.size(); ++i) add_obstacle(map.obstacles[i], "obstacle " + std::to_string(i));
   for (std::size_t i = 0; i < map.lines.size(); ++i) {
-    const std::size_t source = add_source("line " + std::to_string(i), false);
+    const std::size_t source = add_source("line " + std::to_string(i), false, false);
     const Polyline& line = map.lines[i];
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
       segments_.push_back({line[k], line[k + 1], static_cast<std::uint32_t>(source)});
     }
   }
   for (std::size_t i = 0; i < map.points.size(); ++i) {
-    const std::size_t source = add_source("scan point " + std::to_string(i), false);
+    const std::size_t source = add_source("scan point " + std::to_string(i), false, false);
     segments_.push_back({map.points[i], map.points[i], static_cast<std::uint32_t>(source)});
   }
   for (const CellGrid& grid : map.grids) add_grid(grid);
 }
 
-std::size_t World::add_source(std::string name, bool boundary) {
-  sources_.push_back({std::move(name), boundary});
+std::size_t World::add_source(std::string name, bool boundary, bool solid) {
+  sources_.push_back({std::move(name), boundary, solid});
   return sources_.size() - 1;
 }
 
@@ -60,14 +60,14 @@ void World::add_ring_edges(const Ring& ring, std::size_t source) {
 }
 
 std::size_t World::add_boundary(const Ring& ring, std::string name) {
-  const std::size_t source = add_source(std::move(name), true);
+  const std::size_t source = add_source(std::move(name), true, false);
   boundaries_.push_back({ring, bounding_box(ring), source});
   add_ring_edges(ring, source);
   return source;
 }
 
 std::size_t World::add_obstacle(const Ring& ring, std::string name) {
-  const std::size_t source = add_source(std::move(name), false);
+  const std::size_t source = add_source(std::move(name), false, true);
   obstacles_.push_back({ring, bounding_box(ring), source});
   add_ring_edges(ring, source);
   return source;
@@ -75,7 +75,7 @@ std::size_t World::add_obstacle(const Ring& ring, std::string name) {
 
 /// The outline between blocked and free cells, straight runs merged: with the inside test it is the exact union of the cells.
 void World::add_grid(const CellGrid& grid) {
-  const std::size_t source = add_source((grid.name.empty() ? std::string{"the grid"} : grid.name) + " (blocked cell)", false);
+  const std::size_t source = add_source((grid.name.empty() ? std::string{"the grid"} : grid.name) + " (blocked cell)", false, true);
   grid_sources_.push_back(source);
   const auto id = static_cast<std::uint32_t>(source);
   const auto blocked = [&grid](int column, int row) {

@@ -55,6 +55,10 @@ class World {
 
   const ObstacleIndex& index() const { return index_; }  ///< all edges
 
+  /// Is its inside blocked (obstacles, grids); is its outside (boundaries)? Walls and scan points have neither.
+  bool is_solid(std::size_t source) const { return sources_[source].solid; }
+  bool is_boundary(std::size_t source) const { return sources_[source].boundary; }
+
   /// "obstacle 3", "scan point 17", "shelf", "boundary", "warehouse.yaml (occupied cell)"; for messages.
   std::string source_name(std::size_t source) const;
 
@@ -71,8 +75,9 @@ class World {
   struct Source {
     std::string name;
     bool boundary = false;
+    bool solid = false;
   };
-  std::size_t add_source(std::string name, bool boundary);
+  std::size_t add_source(std::string name, bool boundary, bool solid);
   void add_ring_edges(const Ring& ring, std::size_t source);
   void add_grid(const CellGrid& grid);
   /// Contact where a point of the body stands inside something solid or outside a boundary.

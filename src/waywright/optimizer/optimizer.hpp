@@ -16,6 +16,7 @@ namespace waywright {
 struct SearchSpace {
   std::vector<double> low;
   std::vector<double> high;
+  std::vector<bool> periodic = {};  ///< variables of which both ends are the same (angles); empty: none. Only some algorithms care
   std::size_t dimension() const { return low.size(); }
 };
 

@@ -83,6 +83,16 @@ Parsed<Parameters> complete_parameters(const PlannerDescription& planner, const 
   return complete;
 }
 
+Parsed<void> check_mission(const std::string& planner, const Scenario& scenario) {
+  const PlannerDescription* description = find_planner(planner);
+  if (description == nullptr || scenario.waypoints.empty() || description->passes_waypoints) return {};
+  std::string able;
+  for (const PlannerDescription& p : planners()) {
+    if (p.passes_waypoints) able += (able.empty() ? "" : ", ") + p.name;
+  }
+  return tl::unexpected{InputError{"", "planner.name", fmt::format("{} does not plan through waypoints", planner), able}};
+}
+
 Parsed<void> check_budget(const std::string& planner, const Parameters& complete, const BudgetLimits& budget) {
   const PlannerDescription* description = find_planner(planner);
   const bool counts_samples = description != nullptr && description->counts_samples && description->counts_samples(complete);

@@ -107,6 +107,7 @@ struct PlannerDescription {
   /// Does it, with these parameters, keep a budget of samples? Empty: no. All keep one of evaluations.
   std::function<bool(const Parameters&)> counts_samples = {};
   bool goes_on_in_motion = false;  ///< it can begin where the vehicle moves; others begin where it has stopped
+  bool passes_waypoints = false;   ///< of a mission; others are refused such a mission
 };
 
 }  // namespace waywright

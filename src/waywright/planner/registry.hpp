@@ -21,6 +21,9 @@ Parsed<Parameters> complete_parameters(const PlannerDescription& planner, const 
 Parsed<Parameters> complete_parameters(const PlannerChoice& choice);
 
 /// Every kind of work that the budget limits is one that the planner counts; nothing is ignored in silence.
+/// Does the planner take such a mission at all?
+Parsed<void> check_mission(const std::string& planner, const Scenario& scenario);
+
 Parsed<void> check_budget(const std::string& planner, const Parameters& complete, const BudgetLimits& budget);
 
 /// Parses "KEY=VALUE" against a planner's description.

@@ -11,6 +11,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
   const Scenario& scenario = problem.scenario();
   auto parameters = complete_parameters(scenario.planner);
   if (!parameters) return tl::unexpected{parameters.error()};
+  if (auto takes = check_mission(scenario.planner.name, scenario); !takes) return tl::unexpected{takes.error()};
   if (auto kept = check_budget(scenario.planner.name, *parameters, scenario.budget); !kept) return tl::unexpected{kept.error()};
   const PlannerDescription* description = find_planner(scenario.planner.name);
 

@@ -51,4 +51,44 @@ pagmo::population BlendGeneticAlgorithm::evolve(pagmo::population population) co
   return population;
 }
 
+pagmo::population IntermediateGeneticAlgorithm::evolve(pagmo::population population) const {
+  Random random{seed_};
+  const auto [low, high] = population.get_problem().get_bounds();
+  const std::size_t size = population.size();
+  const std::size_t dimension = low.size();
+  if (size <= elites) return population;
+  std::vector<std::size_t> order(size);
+  std::vector<double> shares(size);
+  for (unsigned generation = 0; generation < generations_; ++generation) {
+    const auto points = population.get_x();
+    const auto values = population.get_f();
+    for (std::size_t i = 0; i < size; ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a][0] < values[b][0]; });
+    const double least = values[order.front()][0];
+    double all = 0.0;
+    for (std::size_t i = 0; i < size; ++i) shares[i] = all += 1.0 / (1.0 + (values[i][0] - least));
+    const auto parent = [&]() -> const pagmo::vector_double& {
+      const auto at = std::lower_bound(shares.begin(), shares.end(), random.uniform() * all);
+      return points[std::min(size - 1, static_cast<std::size_t>(at - shares.begin()))];
+    };
+    for (std::size_t rank = elites; rank < size; ++rank) {
+      const auto& a = parent();
+      const auto& b = parent();
+      pagmo::vector_double child(dimension);
+      for (std::size_t k = 0; k < dimension; ++k) {
+        const double range = high[k] - low[k];
+        const bool goes_round = k < periodic_.size() && periodic_[k];
+        double way = b[k] - a[k];
+        if (goes_round) way = std::remainder(way, range);
+        double x = a[k] + random.uniform() * way;
+        if (random.uniform() < mutation_probability) x += random.uniform(-mutation_reach, mutation_reach) * range;
+        if (goes_round) x -= range * std::floor((x - low[k]) / range);
+        child[k] = std::clamp(x, low[k], high[k]);
+      }
+      population.set_x(order[rank], child);
+    }
+  }
+  return population;
+}
+
 }  // namespace waywright

@@ -55,6 +55,7 @@ struct Problem {
 /// Makes the algorithm for a number of generations; pagmo's are asked for all of them at once, since some restart on each call.
 struct Setting {
   unsigned generations, population, dimension, seed;
+  std::vector<bool> periodic;
 };
 using MakeAlgorithm = std::function<pagmo::algorithm(const Setting&)>;
 
@@ -81,7 +82,7 @@ class PagmoOptimizer final : public Optimizer {
         population.push_back(x);
       }
       const auto left = static_cast<unsigned>(std::min<std::int64_t>(options.evaluations - size, 1'000'000'000));
-      if (left > 0) make_({left / size + 2, size, static_cast<unsigned>(space.dimension()), draw()}).evolve(population);
+      if (left > 0) make_({left / size + 2, size, static_cast<unsigned>(space.dimension()), draw(), space.periodic}).evolve(population);
     } catch (const BudgetSpent&) {
       // The usual end: the last generation is cut where the budget is.
     } catch (const std::exception&) {
@@ -113,6 +114,12 @@ std::vector<OptimizerDescription> pagmo_optimizers() {
                  return pagmo::algorithm{BlendGeneticAlgorithm{set.generations, set.seed}};
                },
                0, 2),
+      describe("ga_intermediate",
+               "genetic algorithm of the waypoint publication: fitness-proportional, intermediate crossover, bounded mutation, two elites; angles go round",
+               [](const Setting& set) {
+                 return pagmo::algorithm{IntermediateGeneticAlgorithm{set.generations, set.seed, set.periodic}};
+               },
+               0, 4),
       describe("pso", "particle swarm: constriction 0.7298, c1 = c2 = 2.05, speed at most half the range",
                [](const Setting& set) {
                  return pagmo::algorithm{pagmo::pso{set.generations, 0.7298, 2.05, 2.05, 0.5, 5, 1, 4, false, set.seed}};

@@ -1,0 +1,134 @@
+#include "waywright/planner/waypoint/distances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace waywright {
+namespace {
+
+constexpr double least_depth = 1e-6;  // m
+
+double squared_distance(const Box& box, Vec2 p) {
+  const double dx = std::max({0.0, box.low.x - p.x, p.x - box.high.x});
+  const double dy = std::max({0.0, box.low.y - p.y, p.y - box.high.y});
+  return dx * dx + dy * dy;
+}
+
+/// By how often a ray to the right crosses the edges.
+bool is_inside(const std::vector<Segment>& edges, Vec2 p) {
+  bool inside = false;
+  for (const Segment& e : edges) {
+    if ((e.a.y > p.y) == (e.b.y > p.y)) continue;
+    if (p.x < e.a.x + (p.y - e.a.y) * (e.b.x - e.a.x) / (e.b.y - e.a.y)) inside = !inside;
+  }
+  return inside;
+}
+
+double distance_to(const std::vector<Segment>& edges, Vec2 p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Segment& e : edges) {
+    const Vec2 along = e.b - e.a, to = p - e.a;
+    const double length2 = squared_norm(along);
+    const double t = length2 > 0.0 ? std::clamp(dot(to, along) / length2, 0.0, 1.0) : 0.0;
+    least = std::min(least, squared_norm(to - t * along));
+  }
+  return std::sqrt(least);
+}
+
+}  // namespace
+
+MapObjects::MapObjects(const Problem& problem) : problem_{problem} {
+  const World& world = problem.world();
+  for (const Segment& s : world.index().segments()) {
+    if (objects_.size() <= s.source) objects_.resize(s.source + 1);
+    objects_[s.source].edges.push_back(s);
+  }
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    Object& object = objects_[i];
+    object.is_boundary = world.is_boundary(i);
+    object.is_solid = world.is_solid(i);
+    std::vector<Vec2> ends;
+    for (const Segment& s : object.edges) {
+      ends.push_back(s.a);
+      ends.push_back(s.b);
+    }
+    if (!ends.empty()) object.box = bounding_box(ends);
+  }
+  std::erase_if(objects_, [](const Object& o) { return o.edges.empty(); });
+  const Footprint& footprint = problem.footprint();
+  corners_ = footprint.is_disc() ? Ring{Vec2{}} : footprint.polygon;
+  radius_ = footprint.is_disc() ? footprint.disc : 0.0;
+  if (!world.empty()) reference_ = std::max(1e-3, 0.5 * distance(world.bounds().low, world.bounds().high));
+}
+
+MapObjects::Corner MapObjects::corner_against(const Object& object, Vec2 corner) const {
+  const double d = distance_to(object.edges, corner);
+  const bool is_in = object.is_boundary ? !is_inside(object.edges, corner) : object.is_solid && is_inside(object.edges, corner);
+  if (is_in) return {0.0, d + radius_};
+  return d >= radius_ ? Corner{d - radius_, 0.0} : Corner{0.0, radius_ - d};
+}
+
+void MapObjects::measure_corners(const Pose& pose, bool wants_greatest, TrajectoryMeasures& measures) const {
+  const Frame frame{pose};
+  double least = std::numeric_limits<double>::infinity();
+  double deepest = 0.0;
+  for (const Vec2 corner : corners_) {
+    const Vec2 at = frame.to_world(corner);
+    for (const Object& object : objects_) {
+      if (!wants_greatest && !object.is_boundary) {
+        const double away = squared_distance(object.box, at);
+        const double reach = least + radius_;
+        if (away >= reach * reach && away > radius_ * radius_) continue;  // nearer than none before, and not in contact
+      }
+      const auto [d, depth] = corner_against(object, at);
+      least = std::min(least, d);
+      deepest = std::max(deepest, depth);
+      measures.greatest = std::max(measures.greatest, d);
+    }
+  }
+  measures.distance.push_back(std::isfinite(least) ? least : reference_);
+  measures.depth.push_back(deepest);
+}
+
+double MapObjects::depth_of(const Pose& pose) const {
+  const Frame frame{pose};
+  double deepest = least_depth;
+  for (const Object& object : objects_) {
+    for (const Vec2 corner : corners_) {
+      const Vec2 at = frame.to_world(corner);
+      if (!object.is_boundary && squared_distance(object.box, at) > radius_ * radius_) continue;
+      deepest = std::max(deepest, corner_against(object, at).depth);
+    }
+    if (radius_ > 0.0 || object.is_boundary) continue;
+    for (const Segment& edge : object.edges) {
+      const Vec2 local = frame.to_local(edge.a);
+      if (!contains(corners_, local)) continue;
+      double depth = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < corners_.size(); ++i) {
+        depth = std::min(depth, point_segment_distance(local, corners_[i], corners_[(i + 1) % corners_.size()]));
+      }
+      deepest = std::max(deepest, depth);
+    }
+  }
+  return deepest;
+}
+
+void MapObjects::measure(std::span<const Pose> poses, FitnessForm form, bool wants_greatest, TrajectoryMeasures& measures) const {
+  measures.distance.clear();
+  measures.depth.clear();
+  measures.greatest = 0.0;
+  measures.reference = reference_;
+  for (const Pose& pose : poses) {
+    if (form == FitnessForm::published) {
+      measure_corners(pose, wants_greatest, measures);
+      continue;
+    }
+    const double clearance = std::min(reference_, problem_.world().clearance(problem_.footprint(), pose, reference_).clearance);
+    measures.distance.push_back(clearance);
+    measures.depth.push_back(clearance > 0.0 ? 0.0 : depth_of(pose));
+    measures.greatest = std::max(measures.greatest, clearance);
+  }
+}
+
+}  // namespace waywright

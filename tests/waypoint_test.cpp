@@ -1,0 +1,194 @@
+// The waypoint planner on the publication's three maps: examples/waypoints_*.json.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "waywright/core/random.hpp"
+#include "waywright/curve/clothoid.hpp"
+#include "waywright/io/scenario_io.hpp"
+#include "waywright/planner/waypoint/candidates.hpp"
+
+namespace waywright {
+namespace {
+
+Scenario fixture_scenario(const std::string& map) {
+  return read_scenario(std::string{WAYWRIGHT_SOURCE_DIR} + "/examples/waypoints_" + map + ".json").value();
+}
+
+WaypointOptions published(Continuity continuity = Continuity::g1) {
+  WaypointOptions options;
+  options.form = FitnessForm::published;
+  options.continuity = continuity;
+  options.heading_range = pi;
+  return options;
+}
+
+struct Published {
+  const char* map;
+  std::vector<double> courses;  // degrees
+  double length, mean, least;   // mm
+  int contacts, crossed;        // poses with a corner inside, poses that touch at all
+  double curvature;             // 1/m
+};
+
+const std::vector<Published>& fixtures() {
+  static const std::vector<Published> all{
+      {"low", {14.7, 58.5}, 14708.4, 747.43, 230.47, 0, 0, 0.836},
+      {"low", {20, 45}, 14637.5, 678.09, 39.18, 0, 8, 0.932},
+      {"medium", {60, 60, 60}, 14814.1, 275.10, 0, 21, 35, 0.944},
+      {"high", {330, 275, 270, 0, 50}, 20601.4, 390.71, 0, 10, 14, 0.983},
+  };
+  return all;
+}
+
+TEST(WaypointFixtures, ArePublishedFiguresInMillimetres) {
+  for (const Published& f : fixtures()) {
+    const Problem problem = Problem::prepare(fixture_scenario(f.map)).value();
+    const WaypointOptions options = published();
+    WaypointCandidates candidates{problem, options};
+    std::vector<double> x;
+    for (const double course : f.courses) x.push_back(course * pi / 180.0);
+    const auto chain = candidates.chain_at(x);
+    ASSERT_TRUE(chain);
+    const TrajectoryMeasures corners = candidates.measures_of(*chain, FitnessForm::published, true);
+    EXPECT_NEAR(1000.0 * corners.length, f.length, 0.5) << f.map;
+    EXPECT_NEAR(1000.0 * mean_distance(corners), f.mean, 0.5) << f.map;
+    EXPECT_NEAR(1000.0 * least_distance(corners), f.least, 0.5) << f.map;
+    EXPECT_NEAR(poses_in_contact(corners), f.contacts, 1) << f.map;
+    EXPECT_NEAR(greatest_curvature(*chain), f.curvature, 0.001) << f.map;
+    const TrajectoryMeasures whole = candidates.measures_of(*chain, FitnessForm::corrected, false);
+    EXPECT_NEAR(poses_in_contact(whole), f.crossed, 1) << f.map;
+    for (std::size_t i = 0; i < corners.distance.size(); ++i) EXPECT_LE(whole.distance[i], corners.distance[i] + 1e-9) << f.map << " " << i;
+  }
+}
+
+TEST(Fitness, ValuesAreThoseOfTheFormulas) {
+  TrajectoryMeasures m;
+  m.length = 12.0;
+  m.distance = {0.2, 0.5, 0.0, 0.3};
+  m.depth = {0.0, 0.0, 0.04, 0.0};
+  m.greatest = 4.0;
+  m.reference = 8.0;
+  const auto published_value = [&](Fitness f) { return fitness_of(f, FitnessForm::published, m); };
+  const auto corrected_value = [&](Fitness f) { return fitness_of(f, FitnessForm::corrected, m); };
+  EXPECT_DOUBLE_EQ(published_value(Fitness::mlpc), 12'000'000.0);
+  EXPECT_DOUBLE_EQ(published_value(Fitness::mlmc), 12'000'000.0);
+  EXPECT_DOUBLE_EQ(published_value(Fitness::mdobs), 1e6);
+  EXPECT_NEAR(published_value(Fitness::avgmd), 1.0 / 250.0, 1e-15);
+  EXPECT_NEAR(published_value(Fitness::pwavg), 1.0 + 40.0 / 250.0, 1e-12);
+  EXPECT_NEAR(published_value(Fitness::levels), 0.25 + 0.1 * 3, 1e-12);
+  EXPECT_NEAR(corrected_value(Fitness::pwavg), 1.0 + 0.01 / 8.0, 1e-12);
+  EXPECT_NEAR(corrected_value(Fitness::avgmd), 1.0 / 240.0, 1e-15);
+  EXPECT_NEAR(corrected_value(Fitness::levels), 1.55, 1e-12);
+  EXPECT_GT(corrected_value(Fitness::mdobs), 1e6);
+  m.depth.assign(4, 0.0);
+  m.distance[2] = 0.4;
+  EXPECT_DOUBLE_EQ(published_value(Fitness::mlpc), 12'000.0);
+  EXPECT_DOUBLE_EQ(published_value(Fitness::mlmc), 0.0);
+  EXPECT_DOUBLE_EQ(corrected_value(Fitness::mlmc), 12'000.0);
+  EXPECT_NEAR(published_value(Fitness::mdobs), 1.0 / 200.0, 1e-15);
+  EXPECT_NEAR(published_value(Fitness::pwavg), 1.0 - 0.35 / 4.0, 1e-12);
+  EXPECT_NEAR(fitness_with_margin(m, 0.2), 1.0 - 0.35 / 8.0, 1e-12);
+  EXPECT_GT(fitness_with_margin(m, 0.21), 1.0);
+}
+
+TEST(Fitness, AnyContactIsAtLeastOneAndAnyFreePathUnder) {
+  const Problem problem = Problem::prepare(fixture_scenario("medium")).value();
+  const WaypointOptions options = published();
+  WaypointCandidates candidates{problem, options};
+  Random random{1};
+  int contacts = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::vector<double> x;
+    for (int k = 0; k < 3; ++k) x.push_back(random.uniform(-0.2, 1.4));
+    const auto chain = candidates.chain_at(x);
+    ASSERT_TRUE(chain);
+    for (const FitnessForm form : {FitnessForm::published, FitnessForm::corrected}) {
+      const TrajectoryMeasures m = candidates.measures_of(*chain, form, true);
+      const double value = fitness_of(Fitness::pwavg, form, m);
+      contacts += poses_in_contact(m) > 0;
+      EXPECT_EQ(value >= 1.0, poses_in_contact(m) > 0) << value;
+    }
+  }
+  EXPECT_GT(contacts, 0);
+}
+
+TEST(Chain, IsContinuousAndPassesItsPoses) {
+  Random random{2};
+  for (int i = 0; i < 300; ++i) {
+    std::vector<Pose> poses;
+    for (int k = 0; k < 5; ++k) poses.push_back({3.0 * k + random.uniform(-0.5, 0.5), random.uniform(-1.5, 1.5), random.uniform(-1, 1)});
+    for (const Continuity continuity : {Continuity::g1, Continuity::g2}) {
+      const auto chain = chain_through(poses, continuity);
+      ASSERT_TRUE(chain);
+      const std::size_t per_leg = continuity == Continuity::g2 ? 3 : 1;
+      ASSERT_EQ(chain->size(), per_leg * 4);
+      for (std::size_t k = 0; k < chain->size(); ++k) {
+        const CurvePoint end = evaluate((*chain)[k], (*chain)[k].length);
+        const bool is_last = k + 1 == chain->size();
+        const Pose next = is_last ? poses.back() : (*chain)[k + 1].start;
+        EXPECT_LE(distance(end.position, next.position()), 1e-9);
+        EXPECT_LE(std::abs(shorter_turn(end.course, next.heading)), 1e-9);
+        if (continuity == Continuity::g2) {
+          EXPECT_NEAR(end.curvature, is_last ? 0.0 : (*chain)[k + 1].curvature, 1e-8);
+        }
+        if ((k + 1) % per_leg == 0) {
+          EXPECT_LE(distance(end.position, poses[(k + 1) / per_leg].position()), 1e-9);
+        }
+      }
+    }
+  }
+}
+
+TEST(Chain, IsSampledEvenly) {
+  Random random{3};
+  for (int i = 0; i < 50; ++i) {
+    std::vector<Pose> poses;
+    for (int k = 0; k < 4; ++k) poses.push_back({3.0 * k, random.uniform(-1.5, 1.5), random.uniform(-1, 1)});
+    const Clothoids chain = *chain_through(poses, Continuity::g1);
+    std::vector<Pose> samples;
+    sample_evenly(chain, 100, samples);
+    ASSERT_EQ(samples.size(), 100U);
+    EXPECT_EQ(samples.front(), poses.front());
+    EXPECT_LE(distance(samples.back().position(), poses.back().position()), 1e-9);
+    const Path path = path_of(chain);
+    double begin = 0.0;
+    std::size_t leg = 0;
+    for (std::size_t k = 0; k < 100; ++k) {
+      const double s = length_of(chain) * static_cast<double>(k) / 99.0;
+      while (leg + 1 < chain.size() && s > begin + chain[leg].length) begin += chain[leg++].length;
+      EXPECT_LE(distance(evaluate(chain[leg], s - begin).position, samples[k].position()), 1e-9);
+    }
+  }
+}
+
+TEST(MapObjects, CornersAndWholeFootprintAgreeWithTheWorld) {
+  for (const char* map : {"low", "medium", "high"}) {
+    const Problem problem = Problem::prepare(fixture_scenario(map)).value();
+    const MapObjects objects{problem};
+    Random random{4};
+    std::vector<Pose> poses;
+    for (int i = 0; i < 500; ++i) poses.push_back({random.uniform(-1, 14), random.uniform(-1, 12), random.uniform(-pi, pi)});
+    TrajectoryMeasures corners, all, whole;
+    objects.measure(poses, FitnessForm::published, false, corners);
+    objects.measure(poses, FitnessForm::published, true, all);
+    objects.measure(poses, FitnessForm::corrected, false, whole);
+    EXPECT_EQ(corners.distance, all.distance);
+    EXPECT_EQ(corners.depth, all.depth);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      EXPECT_EQ(whole.depth[i] > 0.0, problem.world().clearance(problem.footprint(), poses[i], 1.0).clearance == 0.0);
+      EXPECT_GE(whole.depth[i], corners.depth[i]);
+      EXPECT_LE(whole.distance[i], corners.distance[i] + 1e-9);
+      // A corner's own clearance, asked of the world.
+      double least = 1e9;
+      for (const Vec2 corner : problem.footprint().polygon) {
+        const Vec2 at = Frame{poses[i]}.to_world(corner);
+        least = std::min(least, problem.world().clearance(std::span{&at, 1}, 0.0, 1e9).clearance);
+      }
+      EXPECT_NEAR(corners.distance[i], least, 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace waywright
