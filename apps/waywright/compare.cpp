@@ -8,6 +8,7 @@
 
 #include "outputs.hpp"
 #include "waywright/io/files.hpp"
+#include "waywright/report/charts.hpp"
 #include "waywright/report/scene.hpp"
 #include "waywright/report/words.hpp"
 #include "waywright/study/summary.hpp"
@@ -72,10 +73,21 @@ Parsed<Contestant> contestant_from(const std::string& entry) {
   return contestant;
 }
 
-Parsed<std::vector<Contestant>> named_contestants(const std::string& list) {
+/// Who can take each of the missions, where none is named.
+std::vector<Contestant> able_contestants(const std::vector<Problem>& problems) {
+  std::vector<Contestant> contestants;
+  for (const PlannerDescription& planner : planners()) {
+    const bool is_able = std::all_of(problems.begin(), problems.end(), [&](const Problem& p) { return check_mission(planner.name, p.scenario()).has_value(); });
+    if (is_able) contestants.push_back({planner.name, planner.name, {}, {}});
+  }
+  return contestants;
+}
+
+Parsed<std::vector<Contestant>> named_contestants(const std::string& list, const std::vector<Problem>& problems) {
   std::vector<Contestant> contestants;
   if (list.empty()) {
-    for (const PlannerDescription& p : planners()) contestants.push_back({p.name, p.name, {}, {}});
+    contestants = able_contestants(problems);
+    if (contestants.empty()) return tl::unexpected{InputError{"", "--planners", "no planner can take all of these missions", "scenarios of one kind"}};
     return contestants;
   }
   for (const std::string& entry : split_list(list)) {
@@ -219,9 +231,18 @@ int compare(const CompareArguments& arguments) {
                                                             : loaded->problem.scenario().name);
     problems.push_back(std::move(loaded->problem));
   }
-  auto contestants = named_contestants(arguments.planners);
+  auto contestants = named_contestants(arguments.planners, problems);
   if (contestants) contestants = with_settings(std::move(*contestants), arguments.set);
   if (!contestants) return complain(contestants.error());
+  for (const Contestant& contestant : *contestants) {
+    for (std::size_t p = 0; p < problems.size(); ++p) {
+      if (contestant.planner.empty()) continue;
+      if (auto takes = check_mission(contestant.planner, problems[p].scenario()); !takes) {
+        takes.error().file = arguments.scenarios[p].string();
+        return complain(takes.error());
+      }
+    }
+  }
   CompareOptions options;
   const auto budget = set_budget(arguments, problems, *contestants, options);
   if (!budget) return complain(budget.error());
@@ -242,9 +263,11 @@ int compare(const CompareArguments& arguments) {
   text += fmt::format("\nwritten: {0}/compare.csv", arguments.out.string());
   for (std::size_t p = 0; p < problems.size(); ++p) {
     const std::string name = problems.size() == 1 ? "compare.svg" : fmt::format("compare-{}.svg", p + 1);
-    files.push_back(
-        {arguments.out / name, overlay_svg(problems[p], best_plans(runs, p, *contestants), 860.0)});
-    text += fmt::format(", {}/{}", arguments.out.string(), name);
+    const auto best = best_plans(runs, p, *contestants);
+    files.push_back({arguments.out / name, overlay_svg(problems[p], best, 860.0)});
+    const std::string chart = problems.size() == 1 ? "clearance.svg" : fmt::format("clearance-{}.svg", p + 1);
+    files.push_back({arguments.out / chart, clearances_svg(problems[p], best, 860.0)});
+    text += fmt::format(", {0}/{1}, {0}/{2}", arguments.out.string(), name, chart);
   }
   if (auto written = write_files(files); !written) return complain(written.error());
   const std::size_t wanted = problems.size() * contestants->size() * static_cast<std::size_t>(arguments.runs);

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double left = 58.0, right = 84.0, top = 26.0, bottom = 30.0;  // px around the plot
 
+constexpr double legend_line = 18.0;  // px
+
 /// A round step that gives about `count` of them.
 double round_step(double range, double count) {
   if (!(range > 0.0)) return 1.0;
@@ -26,34 +28,36 @@ double round_step(double range, double count) {
 }  // namespace
 
 std::string chart_svg(const Chart& chart, double width, double height) {
-  if (chart.s.empty()) return {};
-  double low = chart.value.front();
-  double high = low;
-  for (const double v : chart.value) {
-    low = std::min(low, v);
-    high = std::max(high, v);
-  }
+  if (chart.s.empty() && chart.series.empty()) return {};
+  double low = 0.0, high = 0.0, end = 1e-9;
+  const auto reach = [&](const std::vector<double>& s, const std::vector<double>& values) {
+    for (const double v : values) {
+      low = std::min(low, v);
+      high = std::max(high, v);
+    }
+    if (!s.empty()) end = std::max(end, s.back());
+  };
+  reach(chart.s, chart.value);
+  for (const ChartSeries& series : chart.series) reach(series.s, series.value);
   for (const ChartLimit& limit : chart.limits) {
     low = std::min(low, limit.value);
     high = std::max(high, limit.value);
   }
-  low = std::min(low, 0.0);
-  high = std::max(high, 0.0);
   if (!(high > low)) high = low + 1.0;
   const double pad = 0.06 * (high - low);
   high += pad;
   if (low < 0.0) low -= pad;
-  const double end = std::max(chart.s.back(), 1e-9);
   const double plot_width = width - left - right;
   const double plot_height = height - top - bottom;
   const auto x_of = [&](double s) { return left + plot_width * s / end; };
   const auto y_of = [&](double v) { return top + plot_height * (high - v) / (high - low); };
 
+  const double whole_height = height + legend_line * static_cast<double>(chart.series.size());
   std::string out = fmt::format(
       "<svg class=\"ww\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
       "height=\"{1}\" role=\"img\"><title>{2}</title>"
       "<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n",
-      fixed(width), fixed(height), escaped(chart.title));
+      fixed(width), fixed(whole_height), escaped(chart.title));
   for (std::size_t i = 0; i < chart.s.size();) {  // bands by direction
     std::size_t k = i;
     while (k + 1 < chart.s.size() && chart.direction[k + 1] == chart.direction[i]) ++k;
@@ -91,10 +95,19 @@ std::string chart_svg(const Chart& chart, double width, double height) {
   }
   out += fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">s in m</text>", fixed(4.0),
                      fixed(top + plot_height + 16));
-  std::string points;
-  for (std::size_t i = 0; i < chart.s.size(); ++i)
-    points += fixed(x_of(chart.s[i])) + "," + fixed(y_of(chart.value[i])) + " ";
-  out += fmt::format("<polyline class=\"curve\" points=\"{}\"/>\n", points);
+  const auto points_of = [&](const std::vector<double>& s, const std::vector<double>& values) {
+    std::string points;
+    for (std::size_t i = 0; i < s.size(); ++i) points += fixed(x_of(s[i])) + "," + fixed(y_of(values[i])) + " ";
+    return points;
+  };
+  if (!chart.s.empty()) out += fmt::format("<polyline class=\"curve\" points=\"{}\"/>\n", points_of(chart.s, chart.value));
+  double below = height + 4.0;
+  for (const ChartSeries& series : chart.series) {
+    out += fmt::format("<polyline fill=\"none\" stroke=\"{0}\" stroke-width=\"1.8\" points=\"{1}\"/>\n<line x1=\"{2}\" y1=\"{3}\" x2=\"{4}\" y2=\"{3}\" stroke=\"{0}\" stroke-width=\"3\"/>"
+                       "<text class=\"small\" x=\"{5}\" y=\"{6}\">{7}</text>\n",
+                       series.colour, points_of(series.s, series.value), fixed(left), fixed(below - 4.0), fixed(left + 28.0), fixed(left + 36.0), fixed(below), escaped(series.name));
+    below += legend_line;
+  }
   std::vector<double> names;  // where names stand: two limits close together keep theirs apart
   for (const ChartLimit& limit : chart.limits) {
     double y = y_of(limit.value) + 4.0;

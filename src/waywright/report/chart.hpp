@@ -11,12 +11,20 @@ struct ChartLimit {
   std::string name;
 };
 
+/// One of several curves in one chart.
+struct ChartSeries {
+  std::string name, colour;
+  std::vector<double> s, value;
+};
+
+/// Either one curve with bands of its directions, or several beside each other, named below.
 struct Chart {
   std::string title;  ///< with its unit
   std::vector<double> s, value;
   std::vector<int> direction;      ///< per sample, for the bands
   std::vector<ChartLimit> limits;  ///< dashed lines, named to the right of the plot
   std::vector<double> stops;       ///< s of marks across the plot
+  std::vector<ChartSeries> series;
 };
 
 std::string chart_svg(const Chart& chart, double width, double height);

@@ -7,6 +7,7 @@
 
 #include "waywright/judge/judge.hpp"
 #include "waywright/report/chart.hpp"
+#include "waywright/report/scene_parts.hpp"
 #include "waywright/report/spots.hpp"
 #include "waywright/report/svg_writer.hpp"
 
@@ -41,6 +42,13 @@ Chart clearance_chart(const Problem& problem, const Plan& plan) {
                          plan, [&](std::size_t i) { return std::min(clearance[i], top); });
   if (required > 0.0) chart.limits = {{required, "required"}};
   return chart;
+}
+
+/// A picture of its own brings its styles along.
+std::string with_styles(std::string svg) {
+  const std::size_t begin = svg.find('>');
+  if (begin != std::string::npos) svg.insert(begin + 1, "<style>" + picture_styles() + "</style>");
+  return svg;
 }
 
 }  // namespace
@@ -84,6 +92,28 @@ std::string charts_html(const Problem& problem, const Plan& plan) {
            chart_svg(chart, narrow, height) + "</div>\n";
   }
   return out;
+}
+
+std::string clearances_svg(const Problem& problem, const std::vector<std::pair<std::string, const Plan*>>& plans, double width) {
+  constexpr double far = 2.0;  // m
+  const double top = std::max(far, top_factor * problem.required_clearance());
+  Chart chart;
+  bool is_cut = false;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    const auto& [name, plan] = plans[i];
+    if (plan->samples.empty()) continue;
+    ChartSeries series{fmt::format("{} ({})", name, to_string(plan->status)), overlay_colour(i), {}, {}};
+    const std::vector<double> clearance = clearances_along(problem, plan->path, plan->samples);
+    for (std::size_t k = 0; k < clearance.size(); ++k) {
+      series.s.push_back(plan->samples[k].s);
+      series.value.push_back(std::min(clearance[k], top));
+      is_cut = is_cut || clearance[k] > top;
+    }
+    chart.series.push_back(std::move(series));
+  }
+  chart.title = is_cut ? fmt::format("Clearance along the path in m, cut off at {:g} m", top) : "Clearance along the path in m";
+  if (problem.required_clearance() > 0.0) chart.limits = {{problem.required_clearance(), "required"}};
+  return with_styles(chart_svg(chart, width, 300.0));
 }
 
 }  // namespace waywright

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "waywright/judge/plan.hpp"
 #include "waywright/scenario/problem.hpp"
@@ -11,5 +13,8 @@ namespace waywright {
 /// Curvature, steering angle (of a tricycle), clearance and speed, each in two widths of which a page shows
 /// the one that fits; what the colours mean. Empty where there is no path.
 std::string charts_html(const Problem& problem, const Plan& plan);
+
+/// A picture of the clearance along several plans of one problem, each with its name; cut off where it no longer matters.
+std::string clearances_svg(const Problem& problem, const std::vector<std::pair<std::string, const Plan*>>& plans, double width);
 
 }  // namespace waywright

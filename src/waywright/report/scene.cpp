@@ -14,9 +14,6 @@
 namespace waywright {
 namespace {
 
-constexpr std::array<const char*, 8> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                             "#e69f00", "#56b4e9", "#7a828a", "#b3a100"};
-
 /// The point of a curve that is farthest from everything else that is drawn, for its name.
 Vec2 calm_point(const std::vector<Vec2>& curve, const std::vector<Vec2>& busy) {
   Vec2 best = curve[curve.size() / 2];
@@ -84,6 +81,7 @@ class Scene {
     draw_alternatives();
     draw_path(svg_, plan_.samples);
     draw_stops();
+    draw_waypoints(svg_, problem_.scenario());
     draw_vehicle(svg_, problem_.footprint(), problem_.first_pose(), "S");
     draw_vehicle(svg_, problem_.footprint(), problem_.last_pose(), end_name());
     draw_blocked();
@@ -113,6 +111,7 @@ class Scene {
       if (drives(1)) entries.push_back({"fwd", Shape::line, forks ? "forwards (forks first)" : "forwards"});
       entries.push_back({"sweep", Shape::box, "swept by the footprint"});
     }
+    if (!problem_.scenario().waypoints.empty()) entries.push_back({"waypoint", Shape::dot, "1, 2, 3 …: waypoints in order"});
     if (stops_) entries.push_back({"stop", Shape::square, "stop where the curvature jumps"});
     if (const auto* station = std::get_if<Station>(&problem_.scenario().mission)) {
       entries.push_back({"shelf", Shape::box, "shelf, loading face bold"});
@@ -286,7 +285,7 @@ std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std:
   double y = canvas.height + 40.0;
   for (std::size_t i = 0; i < plans.size(); ++i) {
     const auto& [name, plan] = plans[i];
-    const char* colour = palette[i % palette.size()];
+    const char* colour = overlay_colour(i);
     if (!plan->samples.empty()) {
       std::vector<Vec2> points;
       for (const Sample& s : plan->samples) points.push_back({s.x, s.y});
@@ -298,6 +297,7 @@ std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std:
         fixed(y - 4), colour, fixed(y), escaped(name), to_string(plan->status));
     y += 18.0;
   }
+  draw_waypoints(svg, scenario);
   draw_vehicle(svg, problem.footprint(), problem.first_pose(), "S");
   draw_vehicle(svg, problem.footprint(), problem.last_pose(),
                problem.is_driven_back()                            ? "E"

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "waywright/geometry/polygon.hpp"
@@ -185,6 +186,20 @@ void draw_scale(SvgWriter& svg, const Canvas& canvas) {
                   "x=\"{3}\" y=\"{4}\">{5} m; coordinates in m, x right, y up</text>\n",
                   fixed(left_gutter), fixed(y), fixed(left_gutter + pixels), fixed(left_gutter + pixels + 8),
                   fixed(y + 4), fixed(metres)));
+}
+
+const char* overlay_colour(std::size_t i) {
+  static constexpr std::array<const char*, 8> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7a828a", "#b3a100"};
+  return palette[i % palette.size()];
+}
+
+void draw_waypoints(SvgWriter& svg, const Scenario& scenario) {
+  for (std::size_t i = 0; i < scenario.waypoints.size(); ++i) {
+    const Vec2 at = scenario.waypoints[i];
+    if (scenario.waypoint_radius > 0.0) svg.polygon(outline_at({{}, scenario.waypoint_radius}, make_pose(at, 0.0)), "waypointring");
+    svg.dot(at, 4.0, "waypoint");
+    svg.label(at, {8.0, -6.0}, fmt::format("{}", i + 1), "name");
+  }
 }
 
 }  // namespace waywright

@@ -36,6 +36,11 @@ void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose, 
 void draw_path(SvgWriter& svg, const std::vector<Sample>& samples);
 void draw_sweep(SvgWriter& svg, const Footprint& footprint, const std::vector<Sample>& samples);
 
+void draw_waypoints(SvgWriter& svg, const Scenario& scenario);
+
+/// Of the i-th of several plans in one picture.
+const char* overlay_colour(std::size_t i);
+
 /// Ticks with world coordinates along the left and lower edge.
 void draw_axes(SvgWriter& svg, const Canvas& canvas);
 void draw_scale(SvgWriter& svg, const Canvas& canvas);
