@@ -52,6 +52,13 @@ struct PlanArguments {
   bool json = false;
 };
 int plan(const PlanArguments& arguments);
+
+struct ParetoArguments {
+  PlanArguments plan;
+  int points = 12;  ///< plans, at most
+};
+int pareto(const ParetoArguments& arguments);
+
 /// `waywright` without a command: plans the bundled docking example.
 int plan_example();
 

@@ -29,6 +29,15 @@ int run(int argc, char** argv) {
   plan_command->add_flag("--json", plan_arguments.json, "plan.json on standard output and nothing else there");
   plan_command->callback([&] { status = plan(plan_arguments); });
 
+  ParetoArguments pareto_arguments;
+  auto* pareto_command = app.add_subcommand("pareto", "length against clearance against curvature: proven plans of which none is better in all three");
+  pareto_command->add_option("SCENARIO", pareto_arguments.plan.scenario, "scenario.json, with waypoints or a goal")->required();
+  pareto_command->add_option("-o,--out", pareto_arguments.plan.out, "folder to write to (default: waywright-out/NAME-pareto)");
+  pareto_command->add_option("--points", pareto_arguments.points, "plans, at most")->check(CLI::Range(1, 200));
+  pareto_command->add_option("--set", pareto_arguments.plan.set, "KEY=VALUE, a parameter of the planner; may be repeated");
+  pareto_command->add_option("--seed", pareto_arguments.plan.seed, "seed in place of the scenario's");
+  pareto_command->callback([&] { status = pareto(pareto_arguments); });
+
   std::filesystem::path plan_file;
   auto* verify_command = app.add_subcommand("verify", "prove a plan again from its file alone");
   verify_command->add_option("PLAN", plan_file, "plan.json")->required();
@@ -88,11 +97,11 @@ int run(int argc, char** argv) {
   generate_command->add_option("--boxes", generate_arguments.boxes, "number of boxes in a station (default: 0 to 12 by seed)")->check(CLI::Range(0, 200));
   generate_command->callback([&] { status = generate(generate_arguments); });
 
-  for (const char* later : {"check", "reproduce", "sweep", "tune", "pareto", "simulate", "serve", "agv", "fleet"}) {
+  for (const char* later : {"check", "reproduce", "sweep", "tune", "simulate", "serve", "agv", "fleet"}) {
     auto* command = app.add_subcommand(later, "not supported yet");
     command->allow_extras();
     command->callback([&status, later] {
-      status = complain({"", std::string{"command "} + later, "it is not supported yet", "plan, replan, verify, import, compare, list, map, generate"});
+      status = complain({"", std::string{"command "} + later, "it is not supported yet", "plan, replan, verify, import, compare, pareto, list, map, generate"});
     });
   }
 

@@ -19,6 +19,9 @@ Parsed<void> prepare_folder(const std::filesystem::path& folder);
 /// Makes the folder that a file is to lie in where there is none, and says so.
 Parsed<void> prepare_folder_of(const std::filesystem::path& file);
 
+/// --planner, --set and --seed go into the scenario, so that the plan file holds what was used.
+Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario);
+
 /// plan.json, plan.svg, report.html: all or none.
 Parsed<void> write_plan(const std::filesystem::path& folder, const Problem& problem, const Plan& plan);
 

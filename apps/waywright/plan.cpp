@@ -7,9 +7,7 @@
 #include "waywright/report/words.hpp"
 
 namespace waywright::app {
-namespace {
 
-/// --planner, --set and --seed go into the scenario, so that the plan file holds what was used.
 Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario) {
   if (!arguments.planner.empty() && arguments.planner != scenario.planner.name) {
     scenario.planner = {arguments.planner, {}};  // another planner has other parameters
@@ -35,8 +33,6 @@ Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario) {
   if (arguments.planner.empty()) complete.error().file = arguments.scenario.string();
   return tl::unexpected{complete.error()};
 }
-
-}  // namespace
 
 int plan(const PlanArguments& arguments) {
   auto loaded = load(arguments.scenario, [&](Scenario& scenario) { return apply(arguments, scenario); });

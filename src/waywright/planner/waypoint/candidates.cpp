@@ -43,6 +43,7 @@ class Nearness {
 
   double barrier() const { return barrier_; }  ///< m
   double lacking() const { return lacking_; }  ///< m, length that is too near, longer the nearer
+  double least() const { return least_; }      ///< m, beyond the required clearance
 
   void add(const Pose& a, const Pose& b, double length, bool is_first, bool is_last) {
     if (is_first) before_ = beyond(a);
@@ -57,9 +58,11 @@ class Nearness {
   static constexpr int deepest = 6;
   static constexpr double softest = 0.02;  // of what is wanted: nearer than that counts as that
 
-  double beyond(const Pose& pose) const {
+  double beyond(const Pose& pose) {
     const double clearance = problem_.world().clearance(problem_.footprint(), pose, required_ + wanted_).clearance;
-    return clearance > 0.0 ? std::min(clearance - required_, wanted_) : -required_ - objects_.depth_of(pose);
+    const double beyond = clearance > 0.0 ? std::min(clearance - required_, wanted_) : -required_ - objects_.depth_of(pose);
+    least_ = std::min(least_, beyond);
+    return beyond;
   }
 
   void add(const Pose& a, const Pose& b, double ca, double cb, double length, int depth) {
@@ -82,6 +85,7 @@ class Nearness {
   double required_, wanted_, radius_;
   double before_ = 0.0;
   double barrier_ = 0.0, lacking_ = 0.0;
+  double least_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
@@ -170,7 +174,14 @@ WaypointCandidates::Tightest WaypointCandidates::tightest_of(const Clothoids& ch
 }
 
 /// Length + ∫ barrier(clearance) ds + w ∫ κ² ds: metres all of it, and no constants that knock out.
-Evaluation WaypointCandidates::in_metres(const Clothoids& chain) {
+WaypointCandidates::Figures WaypointCandidates::figures_at(std::span<const double> x) {
+  const auto chain = chain_at(x);
+  if (!chain) return {unsolvable, -unsolvable, unsolvable, unsolvable};
+  const Metres metres = in_metres(*chain);
+  return {length_of(*chain), metres.clearance + problem_.required_clearance(), greatest_curvature(*chain), metres.evaluation.violation};
+}
+
+WaypointCandidates::Metres WaypointCandidates::in_metres(const Clothoids& chain) {
   const double length = length_of(chain);
   const double ds = sample_by_step(chain);
   const std::size_t n = poses_.size();
@@ -184,7 +195,7 @@ Evaluation WaypointCandidates::in_metres(const Clothoids& chain) {
   Evaluation e;
   e.objective = length + options_.clearance_weight * nearness.barrier() + options_.bend_weight * bends;
   e.violation = nearness.lacking() / length + beyond_limits(chain);
-  return e;
+  return {e, nearness.least()};
 }
 
 const TrajectoryMeasures& WaypointCandidates::measures_of(const Clothoids& chain, FitnessForm form, bool wants_greatest) {
@@ -199,7 +210,7 @@ Evaluation WaypointCandidates::evaluate(std::span<const double> x) {
   if (!chain) return {unsolvable, unsolvable, unsolvable};
   Evaluation e;
   if (options_.objective == WaypointObjective::metres) {
-    e = in_metres(*chain);
+    e = in_metres(*chain).evaluation;
     e.graded = e.violation > 0.0 ? infeasible * (1.0 + e.violation) : e.objective;
     return e;
   }

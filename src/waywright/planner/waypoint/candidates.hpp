@@ -22,6 +22,15 @@ class WaypointCandidates {
   /// A candidate whose chain has no solution is as bad as can be.
   Evaluation evaluate(std::span<const double> x);
 
+  /// Length, clearance and curvature against each other.
+  struct Figures {
+    double length = 0.0;        ///< m
+    double clearance = 0.0;     ///< m, least at the poses that `metres` looks at, at most what is required and what is wanted beyond it
+    double curvature = 0.0;     ///< 1/m, greatest
+    double violation = 0.0;     ///< as `metres` has it
+  };
+  Figures figures_at(std::span<const double> x);
+
   const WaypointOptions& options() const { return options_; }
 
   struct Tightest {
@@ -35,7 +44,11 @@ class WaypointCandidates {
   const TrajectoryMeasures& measures_of(const Clothoids& chain, FitnessForm form, bool wants_greatest);
 
  private:
-  Evaluation in_metres(const Clothoids& chain);
+  struct Metres {
+    Evaluation evaluation;
+    double clearance;  // m, least beyond the required one
+  };
+  Metres in_metres(const Clothoids& chain);
   /// Poses a step apart; how far.
   double sample_by_step(const Clothoids& chain);
   double beyond_limits(const Clothoids& chain) const;
