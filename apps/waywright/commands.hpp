@@ -111,6 +111,8 @@ struct GenerateArguments {
   std::filesystem::path out;
   std::uint64_t seed = 1;
   std::optional<int> boxes;
+  std::optional<int> count;                      ///< of stations
+  std::optional<std::filesystem::path> vehicle;  ///< that the stations are for
 };
 int generate(const GenerateArguments& arguments);
 

@@ -96,11 +96,13 @@ int run(int argc, char** argv) {
   map_command->callback([&] { status = map(map_arguments); });
 
   GenerateArguments generate_arguments;
-  auto* generate_command = app.add_subcommand("generate", "make a test scenario or map");
-  generate_command->add_option("NAME", generate_arguments.name, "station, warehouse")->required();
+  auto* generate_command = app.add_subcommand("generate", "make a test scenario, map or site");
+  generate_command->add_option("NAME", generate_arguments.name, "station, stations, warehouse")->required();
   generate_command->add_option("-o,--out", generate_arguments.out, "file to write")->required();
   generate_command->add_option("--seed", generate_arguments.seed, "other seeds, other scenarios");
   generate_command->add_option("--boxes", generate_arguments.boxes, "number of boxes in a station (default: 0 to 12 by seed)")->check(CLI::Range(0, 200));
+  generate_command->add_option("--count", generate_arguments.count, "number of stations of a site (default: 20)")->check(CLI::Range(1, 1000));
+  generate_command->add_option("--vehicle", generate_arguments.vehicle, "vehicle.json that the stations leave room for (default: the bundled forklift)");
   generate_command->callback([&] { status = generate(generate_arguments); });
 
   for (const char* later : {"reproduce", "sweep", "tune", "pareto", "simulate", "serve", "agv", "fleet"}) {
