@@ -79,9 +79,9 @@ Parsed<std::vector<Place>> places_of_table(const CheckArguments& arguments) {
   auto rows = read_site_csv(arguments.inputs.front(), *site, {arguments.clearance, arguments.planner, arguments.seed});
   if (!rows) return tl::unexpected{rows.error()};
   SharedMaps maps;
-  const auto [map, hash] = maps.take(site->map);
+  const auto map = maps.take(site->map);
   std::vector<Place> places;
-  for (SiteRow& row : *rows) places.push_back({row.name, "", row.origin, std::move(row.scenario), map, hash});
+  for (SiteRow& row : *rows) places.push_back({row.name, "", row.origin, std::move(row.scenario), map});
   return places;
 }
 
@@ -99,9 +99,9 @@ Parsed<std::vector<Place>> places_of_scenarios(const CheckArguments& arguments) 
     if (auto warning = alignment_warning(*scenario)) note_all({}, {*warning});
     if (!arguments.planner.empty() && arguments.planner != scenario->planner.name) scenario->planner = {arguments.planner, {}};
     if (arguments.seed) scenario->seed = *arguments.seed;
-    auto [map, hash] = maps.take(scenario->map);
+    auto map = maps.take(scenario->map);
     const std::string name = scenario->name.empty() ? file.stem().string() : scenario->name;
-    places.push_back({name, "", file.string(), std::move(*scenario), std::move(map), std::move(hash)});
+    places.push_back({name, "", file.string(), std::move(*scenario), std::move(map)});
   }
   return places;
 }

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <mutex>
 #include <thread>
 
 #include "waywright/core/version.hpp"
@@ -101,9 +100,9 @@ Parsed<std::optional<Checked>> check_one(const Place& place, std::size_t index, 
   };
   Scenario scenario = place.scenario;
   std::vector<std::string> notes = std::move(scenario.map.notes);
-  scenario.map = *place.map;
+  scenario.map = place.map->map();
   scenario.map.notes = std::move(notes);
-  const auto problem = Problem::prepare(std::move(scenario));
+  const auto problem = Problem::prepare(std::move(scenario), &place.map->world());
   if (!problem) return of_place(problem.error());
   const auto plan = solve(*problem, options.cancel);
   if (!plan) return of_place(plan.error());
@@ -119,15 +118,20 @@ bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U
 
 }  // namespace
 
-std::pair<std::shared_ptr<const Map>, std::string> SharedMaps::take(Map& map) {
+const World& SharedMap::world() const {
+  std::call_once(made_, [this] { world_ = World{map_}; });
+  return world_;
+}
+
+std::shared_ptr<const SharedMap> SharedMaps::take(Map& map) {
   std::vector<std::string> notes = std::move(map.notes);
   map.notes.clear();
   const std::string hash = sha256(map_json(map));
   auto& kept = maps_[hash];
-  if (!kept) kept = std::make_shared<const Map>(std::move(map));
+  if (!kept) kept = std::make_shared<const SharedMap>(std::move(map), hash);
   map = {};
   map.notes = std::move(notes);
-  return {kept, hash};
+  return kept;
 }
 
 std::string folder_name(const std::string& name) {
@@ -149,7 +153,7 @@ std::string folder_name(const std::string& name) {
 }
 
 std::string key_of(const Place& place) {
-  return sha256(fmt::format("waywright {}\nmap {}\n{}", version, place.map_sha256, scenario_json(place.scenario, -1)));
+  return sha256(fmt::format("waywright {}\nmap {}\n{}", version, place.map->sha256(), scenario_json(place.scenario, -1)));
 }
 
 Parsed<void> complete_places(std::vector<Place>& places) {

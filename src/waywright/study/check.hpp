@@ -6,14 +6,32 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
 #include "waywright/core/result.hpp"
 #include "waywright/io/place_record.hpp"
+#include "waywright/map/world.hpp"
 #include "waywright/scenario/scenario.hpp"
 
 namespace waywright {
+
+/// A map that several places share, with what is made of it for distance questions.
+class SharedMap {
+ public:
+  SharedMap(Map map, std::string sha256) : map_{std::move(map)}, sha256_{std::move(sha256)} {}
+  const Map& map() const { return map_; }
+  const std::string& sha256() const { return sha256_; }  ///< of its content
+  /// World{map()}, not built; made when it is asked for first, by whichever thread.
+  const World& world() const;
+
+ private:
+  Map map_;
+  std::string sha256_;
+  mutable std::once_flag made_;
+  mutable World world_;
+};
 
 /// One mission at one place. Places of the same map share it.
 struct Place {
@@ -21,18 +39,17 @@ struct Place {
   std::string folder;  ///< of its files, below the check's
   std::string origin;  ///< file, or file and line, for messages
   Scenario scenario;   ///< as used, parameters complete; its map holds nothing but the notes
-  std::shared_ptr<const Map> map;
-  std::string map_sha256;  ///< of its content
+  std::shared_ptr<const SharedMap> map;
 };
 
 /// Maps by content: one of each is kept.
 class SharedMaps {
  public:
-  /// The map as it is kept, and the hash of its content; `map` is emptied but for its notes.
-  std::pair<std::shared_ptr<const Map>, std::string> take(Map& map);
+  /// The map as it is kept; `map` is emptied but for its notes.
+  std::shared_ptr<const SharedMap> take(Map& map);
 
  private:
-  std::map<std::string, std::shared_ptr<const Map>> maps_;
+  std::map<std::string, std::shared_ptr<const SharedMap>> maps_;
 };
 
 /// Completes the planner's parameters, finds every place a folder of its own, and holds vehicle and mission against each other; what cannot
