@@ -44,27 +44,19 @@ Parsed<void> apply_settings(const std::vector<std::string>& settings, std::vecto
   for (const std::string& setting : settings) {
     const std::string key = setting.substr(0, setting.find('='));
     bool used = false;
-    std::optional<InputError> last;
+    std::optional<InputError> unknown;
     for (Place& place : places) {
       const PlannerDescription* planner = find_planner(place.scenario.planner.name);
       if (planner == nullptr) continue;  // told with the place
       const bool has = std::any_of(planner->parameters.begin(), planner->parameters.end(), [&](const ParameterDescription& p) { return p.name == key; });
-      if (!has && places.size() > 1 && used) continue;
-      if (auto set = set_parameter(*planner, place.scenario.planner.parameters, setting); !set) {
-        if (has) return set;
-        last = set.error();
-        continue;
-      }
-      used = true;
+      auto set = set_parameter(*planner, place.scenario.planner.parameters, setting);
+      if (!set && has) return set;
+      if (!set) unknown = set.error();
+      used = used || has;
     }
-    if (!used && last) return tl::unexpected{*last};
+    if (!used && unknown) return tl::unexpected{*unknown};
   }
   return {};
-}
-
-Parsed<std::uint64_t> seed_from(std::uint64_t seed) {
-  if (seed > static_cast<std::uint64_t>(INT64_MAX)) return tl::unexpected{wrong("--seed", "the number is out of range", "0 to 9223372036854775807")};
-  return seed;
 }
 
 /// One map, one vehicle, a place a line.
@@ -76,6 +68,10 @@ Parsed<std::vector<Place>> places_of_table(const CheckArguments& arguments) {
   auto site = read_site(*arguments.map, *arguments.vehicle);
   if (!site) return tl::unexpected{site.error()};
   note_all(site->notes, {});
+  Scenario aligned;
+  aligned.map.alignment = site->map.alignment;
+  aligned.clearance = arguments.clearance.value_or(0.0);
+  if (auto warning = alignment_warning(aligned)) note_all({}, {*warning});
   auto rows = read_site_csv(arguments.inputs.front(), *site, {arguments.clearance, arguments.planner, arguments.seed});
   if (!rows) return tl::unexpected{rows.error()};
   SharedMaps maps;
@@ -94,6 +90,9 @@ Parsed<std::vector<Place>> places_of_scenarios(const CheckArguments& arguments) 
   std::vector<Place> places;
   for (const fs::path& file : arguments.inputs) {
     auto scenario = read_scenario(file);
+    if (!scenario && is_layout(file)) {
+      return tl::unexpected{InputError{file.string(), "", "VDA 5050 layouts (LIF) are not supported yet", "STATIONS.csv with --map and --vehicle, or scenario files"}};
+    }
     if (!scenario) return tl::unexpected{scenario.error()};
     note_all(scenario->map.notes, {});
     if (auto warning = alignment_warning(*scenario)) note_all({}, {*warning});
@@ -110,14 +109,7 @@ Parsed<std::vector<Place>> places_of(const CheckArguments& arguments) {
   if (arguments.inputs.empty()) return tl::unexpected{wrong("command line", "there is nothing to check", "STATIONS.csv with --map and --vehicle, or scenario files")};
   const bool table = std::any_of(arguments.inputs.begin(), arguments.inputs.end(), is_table);
   if (table && arguments.inputs.size() > 1) return tl::unexpected{wrong("command line", "a table of stations stands beside other files", "one STATIONS.csv, or scenario files")};
-  if (arguments.seed) {
-    if (auto seed = seed_from(*arguments.seed); !seed) return tl::unexpected{seed.error()};
-  }
-  if (!table) {
-    for (const fs::path& file : arguments.inputs) {
-      if (is_layout(file)) return tl::unexpected{InputError{file.string(), "", "VDA 5050 layouts (LIF) are not supported yet", "STATIONS.csv with --map and --vehicle, or scenario files"}};
-    }
-  }
+  if (arguments.seed && *arguments.seed > static_cast<std::uint64_t>(INT64_MAX)) return tl::unexpected{wrong("--seed", "the number is out of range", "0 to 9223372036854775807")};
   auto places = table ? places_of_table(arguments) : places_of_scenarios(arguments);
   if (!places) return places;
   if (auto set = apply_settings(arguments.set, *places); !set) return tl::unexpected{set.error()};

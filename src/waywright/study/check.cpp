@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <new>
+#include <optional>
 #include <thread>
 
 #include "waywright/core/version.hpp"
@@ -113,7 +115,14 @@ Parsed<std::optional<Checked>> check_one(const Place& place, std::size_t index, 
   return checked;
 }
 
-/// Bytes of the character that begins here; a whole name is taken to be UTF-8, and what is not is one byte.
+/// A thread has nobody above it to catch anything.
+Parsed<std::optional<Checked>> checked_or_out_of_memory(const Place& place, std::size_t index, const CheckOptions& options) try {
+  return check_one(place, index, options);
+} catch (const std::bad_alloc&) {
+  return tl::unexpected{InputError{place.origin, "", "there is not enough memory for this place", ""}};
+}
+
+/// A byte of a character of UTF-8 that is not its first.
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
 }  // namespace
@@ -190,7 +199,7 @@ Parsed<std::vector<Checked>> check(const std::vector<Place>& places, const Check
     for (;;) {
       const std::size_t i = next.fetch_add(1);
       if (i >= places.size() || failed.load() || (options.cancel != nullptr && options.cancel->load())) return;
-      auto checked = check_one(places[i], i, options);
+      auto checked = checked_or_out_of_memory(places[i], i, options);
       if (!checked) {
         errors[i] = checked.error();
         failed = true;

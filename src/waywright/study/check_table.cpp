@@ -59,7 +59,7 @@ std::string link_to(const std::string& folder) {
 
 constexpr std::string_view check_styles = R"(
 body{max-width:1400px}.check td{vertical-align:middle}.check .picture{width:250px}.check .picture img{display:block;max-width:240px;max-height:200px;border:1px solid var(--line)}
-.check th,.check td{padding-right:14px}.check .figure{text-align:right;white-space:nowrap}a{color:inherit}.check .place{font-weight:600}.check .reason{max-width:46em}
+.check th,.check td{padding-right:14px}.check th{vertical-align:bottom}.check .against{min-width:9em}.wrap{overflow-x:auto}.check .figure{text-align:right}.check td.figure{white-space:nowrap}a{color:inherit}.check .place{font-weight:600}.check .reason{max-width:46em}
 )";
 
 std::string picture_cell(const std::string& link, const PlaceFigures& f) {
@@ -82,12 +82,12 @@ std::string failed_table(const std::vector<Checked>& checked, const std::vector<
                        escaped(as_sentence(c.figures.reason)));
   }
   if (out.empty()) return out;
-  return "<h2>Not solved</h2>\n<table class=\"check\"><thead><tr><th></th><th>Place</th><th>Status</th><th>Reason</th></tr></thead><tbody>\n" + out + "</tbody></table>\n";
+  return "<h2>Not solved</h2>\n<div class=\"wrap\"><table class=\"check\"><thead><tr><th></th><th>Place</th><th>Status</th><th>Reason</th></tr></thead><tbody>\n" + out + "</tbody></table></div>\n";
 }
 
 std::string spot_cell(const std::optional<TightSpot>& spot) {
   if (!spot) return "<td class=\"figure\">–</td><td></td>";
-  return fmt::format("<td class=\"figure\">{:.1f}</td><td>{}<span class=\"soft\">at ({:.2f}, {:.2f})</span></td>", 1000.0 * spot->clearance, escaped(spot->against), spot->point.x,
+  return fmt::format("<td class=\"figure\">{:.1f}</td><td class=\"against\">{}<span class=\"soft\">at ({:.2f}, {:.2f})</span></td>", 1000.0 * spot->clearance, escaped(spot->against), spot->point.x,
                      spot->point.y);
 }
 
@@ -103,10 +103,10 @@ std::string solved_table(const std::vector<Checked>& checked, const std::vector<
                        picture_cell(link, f), place_cell(link, c), proven, spot_cell(f.on_the_way), f.length, f.max_curvature, limit, f.direction_changes, f.travel_time);
   }
   if (out.empty()) return out;
-  return "<h2>Solved and proven, tightest first</h2>\n<table class=\"check\"><thead><tr><th></th><th>Place</th><th class=\"figure\">Proven clearance, mm</th><th>against</th>"
+  return "<h2>Solved and proven, tightest first</h2>\n<div class=\"wrap\"><table class=\"check\"><thead><tr><th></th><th>Place</th><th class=\"figure\">Proven clearance, mm</th><th>against</th>"
          "<th class=\"figure\">Before the last straight, mm</th><th>against</th><th class=\"figure\">Length, m</th><th class=\"figure\">Curvature, 1/m</th>"
-         "<th class=\"figure\">Turns</th><th class=\"figure\">Time, s</th></tr></thead><tbody>\n" +
-         out + "</tbody></table>\n";
+         "<th class=\"figure\">Changes of direction</th><th class=\"figure\">Time, s</th></tr></thead><tbody>\n" +
+         out + "</tbody></table></div>\n";
 }
 
 }  // namespace
