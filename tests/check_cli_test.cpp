@@ -143,6 +143,9 @@ TEST_F(CheckCommand, ScenarioFilesOfDifferentMapsAndVehicles) {
   EXPECT_EQ(j["solved"], 2);
   EXPECT_EQ(j["rows"][0]["status"], "no_path");
   EXPECT_GT(j["rows"][1]["figures"]["length"], 1.0);
+  const Outcome pockets = run("check " + example("dock_insertion.json") + " -o p --json");
+  EXPECT_GT(Json::parse(pockets.out)["rows"][0]["figures"]["pocket_clearance"], 0.0);
+  EXPECT_NE(slurp(folder_ / "p/check.html").find("forks in the pocket"), std::string::npos);
   // The same as `plan` finds.
   Json there = Json::parse(slurp(folder_ / "c/dock-at-the-shelf-in-the-middle/plan.json"));
   Json here = Json::parse(run("plan " + example("dock_middle.json") + " --json").out);
@@ -174,6 +177,7 @@ TEST_F(CheckCommand, BadInputIsOneSentence) {
   refused(run("check missing.csv --map " + example("warehouse.yaml") + " --vehicle " + example("vehicles/forklift.json")), {"missing.csv"});
   std::ofstream{folder_ / "site.json"} << R"({"metaInformation": {"projectIdentification": "x"}, "layouts": []})";
   refused(run("check site.json"), {"site.json", "LIF", "not supported yet"});
+  refused(run("check site.json --map m.yaml --vehicle v.json"), {"site.json", "LIF", "not supported yet"});
   table(dock_1);
   std::ofstream{folder_ / "c"} << "a file";
   EXPECT_EQ(check("").status, 2);

@@ -39,6 +39,10 @@ bool is_layout(const fs::path& file) {
 
 InputError wrong(std::string field, std::string problem, std::string allowed) { return {"", std::move(field), std::move(problem), std::move(allowed)}; }
 
+tl::unexpected<InputError> no_layout(const fs::path& file) {
+  return tl::unexpected{InputError{file.string(), "", "VDA 5050 layouts (LIF) are not supported yet", "STATIONS.csv with --map and --vehicle, or scenario files"}};
+}
+
 /// --set goes to every place whose planner has the parameter; one that no planner has is refused.
 Parsed<void> apply_settings(const std::vector<std::string>& settings, std::vector<Place>& places) {
   for (const std::string& setting : settings) {
@@ -84,15 +88,14 @@ Parsed<std::vector<Place>> places_of_table(const CheckArguments& arguments) {
 /// A place a scenario.
 Parsed<std::vector<Place>> places_of_scenarios(const CheckArguments& arguments) {
   for (const auto& [given, name] : {std::pair{arguments.map.has_value(), "--map"}, {arguments.vehicle.has_value(), "--vehicle"}, {arguments.clearance.has_value(), "--clearance"}}) {
+    if (given && is_layout(arguments.inputs.front())) return no_layout(arguments.inputs.front());
     if (given) return tl::unexpected{wrong(name, "scenario files have their own", "it goes with STATIONS.csv alone")};
   }
   SharedMaps maps;
   std::vector<Place> places;
   for (const fs::path& file : arguments.inputs) {
     auto scenario = read_scenario(file);
-    if (!scenario && is_layout(file)) {
-      return tl::unexpected{InputError{file.string(), "", "VDA 5050 layouts (LIF) are not supported yet", "STATIONS.csv with --map and --vehicle, or scenario files"}};
-    }
+    if (!scenario && is_layout(file)) return no_layout(file);
     if (!scenario) return tl::unexpected{scenario.error()};
     note_all(scenario->map.notes, {});
     if (auto warning = alignment_warning(*scenario)) note_all({}, {*warning});
@@ -143,7 +146,7 @@ int check(const CheckArguments& arguments) {
   const CheckCounts counts = counts_of(*checked, places->size());
   const std::vector<Checked> table = by_tightness(std::move(*checked));
   const fs::path csv = arguments.out / "check.csv", html = arguments.out / "check.html";
-  const std::string title = places->size() == 1 ? places->front().name : arguments.inputs.front().stem().string();
+  const std::string title = is_table(arguments.inputs.front()) ? arguments.inputs.front().stem().string() : places->size() == 1 ? places->front().name : fmt::format("{} scenarios", places->size());
   if (auto written = write_files({{csv, check_csv(table, *places)}, {html, check_html(table, *places, counts, title)}}); !written) return complain(written.error());
   bool printed = false;
   if (arguments.json) {

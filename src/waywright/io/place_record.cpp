@@ -28,6 +28,7 @@ Json figures_to_json(const PlaceFigures& f) {
   if (!f.has_path) return j;
   j["figures"] = {{"collision_free", f.collision_free}, {"tightest", spot_to_json(f.tightest)}, {"on_the_way", spot_to_json(f.on_the_way)},
                   {"length", f.length},                 {"max_curvature", std::min(f.max_curvature, most)}};
+  if (f.pocket_clearance) j["figures"]["pocket_clearance"] = *f.pocket_clearance;
   j["figures"]["curvature_limit"] = f.curvature_limit ? Json(*f.curvature_limit) : Json(nullptr);
   j["figures"]["direction_changes"] = f.direction_changes;
   j["figures"]["travel_time"] = f.travel_time;
@@ -54,6 +55,7 @@ PlaceFigures read_figures(const Node& node) {
   const Node figures = node.at("figures");
   f.collision_free = figures.at("collision_free").boolean();
   f.tightest = read_spot(figures, "tightest");
+  if (figures.has("pocket_clearance")) f.pocket_clearance = figures.at("pocket_clearance").number(0.0, most);
   f.on_the_way = read_spot(figures, "on_the_way");
   f.length = figures.at("length").number(0.0, most);
   f.max_curvature = figures.at("max_curvature").number(0.0, most);

@@ -28,7 +28,8 @@ struct PlaceFigures {
   bool has_path = false;     ///< the figures below mean something
   bool collision_free = false;
   std::optional<TightSpot> tightest;  ///< proven, with the pose error; absent where nothing is within 10 m or nothing could be proven
-  std::optional<TightSpot> on_the_way;  ///< tightest before the straight stretch at the shelf, at samples; absent where that stretch is not the tightest
+  std::optional<double> pocket_clearance;  ///< m, proven, between forks and shelf beside the pockets; absent without insertion
+  std::optional<TightSpot> on_the_way;  ///< tightest off the straight stretch at the shelf, at samples; absent where that stretch is not the tightest
   double length = 0.0;            ///< m
   double max_curvature = 0.0;     ///< 1/m
   std::optional<double> curvature_limit;  ///< 1/m

@@ -46,6 +46,7 @@ PlaceFigures figures_of(const Place& place, const Problem& problem, const Plan& 
   const Certificate& c = plan.certificate;
   f.collision_free = c.collision_free;
   if (c.tightest && !is_beyond_measure(c)) f.tightest = TightSpot{c.collision_free ? c.clearance : 0.0, c.tightest_point, plan.tightest_obstacle};
+  if (c.pocket_clearance && std::isfinite(*c.pocket_clearance)) f.pocket_clearance = std::max(0.0, *c.pocket_clearance);
   if (const auto spot = c.collision_free ? tightest_off_straight(problem, plan) : std::nullopt) f.on_the_way = TightSpot{spot->clearance, spot->point, spot->against};
   f.length = plan.metrics.length;
   f.max_curvature = std::isfinite(plan.metrics.max_curvature) ? plan.metrics.max_curvature : std::numeric_limits<double>::max();

@@ -85,9 +85,10 @@ std::string failed_table(const std::vector<Checked>& checked, const std::vector<
   return "<h2>Not solved</h2>\n<div class=\"wrap\"><table class=\"check\"><thead><tr><th></th><th>Place</th><th>Status</th><th>Reason</th></tr></thead><tbody>\n" + out + "</tbody></table></div>\n";
 }
 
-std::string spot_cell(const std::optional<TightSpot>& spot) {
+std::string spot_cell(const std::optional<TightSpot>& spot, const std::optional<double>& in_pocket = {}) {
+  const std::string pocket = in_pocket ? fmt::format("<span class=\"soft\">forks in the pocket {:.1f}</span>", 1000.0 * *in_pocket) : "";
   if (!spot) return "<td class=\"figure\">–</td><td></td>";
-  return fmt::format("<td class=\"figure\">{:.1f}</td><td class=\"against\">{}<span class=\"soft\">at ({:.2f}, {:.2f})</span></td>", 1000.0 * spot->clearance, escaped(spot->against), spot->point.x,
+  return fmt::format("<td class=\"figure\">{:.1f}{}</td><td class=\"against\">{}<span class=\"soft\">at ({:.2f}, {:.2f})</span></td>", 1000.0 * spot->clearance, pocket, escaped(spot->against), spot->point.x,
                      spot->point.y);
 }
 
@@ -97,14 +98,14 @@ std::string solved_table(const std::vector<Checked>& checked, const std::vector<
     if (!is_solved(c)) continue;
     const PlaceFigures& f = c.figures;
     const std::string link = link_to(places[c.place].folder);
-    const std::string proven = f.tightest ? spot_cell(f.tightest) : "<td class=\"figure\">over 10 m</td><td></td>";
+    const std::string proven = f.tightest ? spot_cell(f.tightest, f.pocket_clearance) : "<td class=\"figure\">over 10 m</td><td></td>";
     const std::string limit = f.curvature_limit ? fmt::format("<span class=\"soft\">of {:.3f}</span>", *f.curvature_limit) : "";
     out += fmt::format("<tr>{}{}{}{}<td class=\"figure\">{:.2f}</td><td class=\"figure\">{:.3f}{}</td><td class=\"figure\">{}</td><td class=\"figure\">{:.1f}</td></tr>\n",
                        picture_cell(link, f), place_cell(link, c), proven, spot_cell(f.on_the_way), f.length, f.max_curvature, limit, f.direction_changes, f.travel_time);
   }
   if (out.empty()) return out;
   return "<h2>Solved and proven, tightest first</h2>\n<div class=\"wrap\"><table class=\"check\"><thead><tr><th></th><th>Place</th><th class=\"figure\">Proven clearance, mm</th><th>against</th>"
-         "<th class=\"figure\">Before the last straight, mm</th><th>against</th><th class=\"figure\">Length, m</th><th class=\"figure\">Curvature, 1/m</th>"
+         "<th class=\"figure\">Off the straight at the shelf, mm</th><th>against</th><th class=\"figure\">Length, m</th><th class=\"figure\">Curvature, 1/m</th>"
          "<th class=\"figure\">Changes of direction</th><th class=\"figure\">Time, s</th></tr></thead><tbody>\n" +
          out + "</tbody></table></div>\n";
 }
@@ -169,7 +170,7 @@ std::string check_text(const std::vector<Checked>& checked, const std::vector<Pl
 
 std::string check_csv(const std::vector<Checked>& checked, const std::vector<Place>& places) {
   std::string out =
-      "name,status,clearance,clearance_asked,against,x,y,way_clearance,way_against,way_x,way_y,length,max_curvature,direction_changes,travel_time,planner,plan_seconds,"
+      "name,status,clearance,clearance_asked,against,x,y,pocket_clearance,way_clearance,way_against,way_x,way_y,length,max_curvature,direction_changes,travel_time,planner,plan_seconds,"
       "taken_over,folder,reason\n";
   const auto spot = [](const std::optional<TightSpot>& s) {
     return s ? fmt::format("{},{},{}", quoted(s->against), s->point.x, s->point.y) : std::string{",,"};
@@ -177,8 +178,8 @@ std::string check_csv(const std::vector<Checked>& checked, const std::vector<Pla
   for (const Checked& c : checked) {
     const PlaceFigures& f = c.figures;
     const std::string proven = !f.has_path ? "" : f.tightest ? fmt::format("{}", f.tightest->clearance) : f.collision_free ? "10" : "0";
-    out += fmt::format("{},{},{},{},{},{},{},", quoted(f.name), to_string(f.status), proven, f.asked, spot(f.tightest),
-                       f.on_the_way ? fmt::format("{}", f.on_the_way->clearance) : "", spot(f.on_the_way));
+    out += fmt::format("{},{},{},{},{},{},{},{},", quoted(f.name), to_string(f.status), proven, f.asked, spot(f.tightest),
+                       f.pocket_clearance ? fmt::format("{}", *f.pocket_clearance) : "", f.on_the_way ? fmt::format("{}", f.on_the_way->clearance) : "", spot(f.on_the_way));
     out += f.has_path ? fmt::format("{},{},{},{}", f.length, f.max_curvature, f.direction_changes, f.travel_time) : ",,,";
     out += fmt::format(",{},{:.6f},{},{},{}\n", quoted(f.planner), f.plan_seconds, c.taken_over ? 1 : 0, quoted(places[c.place].folder), quoted(f.reason));
   }
@@ -194,7 +195,7 @@ std::string check_html(const std::vector<Checked>& checked, const std::vector<Pl
   out += failed_table(checked, places) + solved_table(checked, places);
   out += fmt::format(
       "<p class=\"soft\">A proven clearance is a lower bound over the whole motion, with the pose error, to everything on the map; at a shelf it is mostly the gap that was "
-      "chosen, so beside it stands the tightest spot before the last straight, at the nominal poses. waywright {}</p>\n</body>\n</html>\n",
+      "chosen, so beside it stands the tightest spot off the straight stretch at the shelf, at the nominal poses. waywright {}</p>\n</body>\n</html>\n",
       escaped(std::string{version}));
   return out;
 }
