@@ -169,6 +169,7 @@ TEST_F(CheckCommand, BadInputIsOneSentence) {
   bad("A,46.2,9.5,0,,,,,,,,,,,\n", {"line 2 (A)", "the mission is missing"});
   bad(std::string{dock_1} + "A-01,46.2,9.5,0,,,,,,,,50,5,1.57,\n", {"line 3", "\"A-01\" and \"A 01\"", "line 2", "the same folder"});
   bad(dock_1, {"line 2", "planner", "nobody", "pattern_docking"}, "--planner nobody");
+  bad("check.csv,46.2,9.5,0,,,,,,,,50,5,1.57,\n", {"line 2", "name", "a file of the check itself"});
   bad(dock_1, {"nothing"}, "--set nothing=1");
   bad("", {"s.csv", "no place"});
   refused(run("check"), {"nothing to check"});
@@ -181,6 +182,22 @@ TEST_F(CheckCommand, BadInputIsOneSentence) {
   table(dock_1);
   std::ofstream{folder_ / "c"} << "a file";
   EXPECT_EQ(check("").status, 2);
+}
+
+TEST_F(CheckCommand, NamesAreSafeFolders) {
+  const std::string pose = ",46.2,9.5,3.1416,,,,,,,,50,5,1.57,0.1\n";
+  table(".." + pose + "../../up" + pose + "\"<b>, \"\"x\"\"\"" + pose + std::string(300, 'x') + pose + "1.2" + pose);
+  const Outcome o = check("");
+  EXPECT_EQ(o.status, 0) << o.err;
+  std::set<std::string> folders;
+  for (const auto& entry : fs::directory_iterator{folder_ / "c"}) {
+    if (entry.is_directory()) folders.insert(entry.path().filename().string());
+  }
+  EXPECT_EQ(folders, (std::set<std::string>{"-.", "-.-..-up", "-b----x-", std::string(80, 'x'), "1.2"}));
+  const std::string html = slurp(folder_ / "c/check.html");
+  EXPECT_EQ(html.find("<b>"), std::string::npos);
+  EXPECT_NE(html.find("&lt;b&gt;, &quot;x&quot;"), std::string::npos);
+  EXPECT_EQ(first_line(slurp(folder_ / "c/check.csv")).find("name,status,clearance"), 0U);
 }
 
 TEST_F(CheckCommand, InterruptKeepsWhatIsFinished) {

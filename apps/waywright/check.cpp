@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 
@@ -24,7 +25,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t rows_told = 20;  // of what is solved, on the terminal
 
 bool is_table(const fs::path& file) {
-  const std::string extension = file.extension().string();
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(c < 0x80 ? std::tolower(c) : c); });
   return extension == ".csv" || extension == ".tsv" || extension == ".txt";
 }
 

@@ -178,6 +178,9 @@ Parsed<void> complete_places(std::vector<Place>& places) {
     if (auto kept = check_budget(place.scenario.planner.name, *parameters, place.scenario.budget); !kept) return refuse(kept.error());
     place.scenario.planner.parameters = std::move(*parameters);
     place.folder = folder_name(place.name);
+    if (place.folder == "check.csv" || place.folder == "check.html") {
+      return refuse({"", "name", fmt::format("\"{}\" is a file of the check itself", place.name), "another name"});
+    }
     const auto [other, is_new] = folders.emplace(place.folder, &place);
     if (!is_new) {
       return refuse({"", "name", fmt::format("\"{}\" and \"{}\" ({}) would have the same folder, {}", place.name, other->second->name, other->second->origin, place.folder),
