@@ -91,6 +91,20 @@ struct CompareArguments {
 };
 int compare(const CompareArguments& arguments);
 
+struct CheckArguments {
+  std::vector<std::filesystem::path> inputs;  ///< one table of stations, or scenario files
+  std::optional<std::filesystem::path> map, vehicle;
+  std::optional<double> clearance;  ///< m, of places that name none
+  std::string planner;
+  std::vector<std::string> set;
+  std::optional<std::uint64_t> seed;
+  std::filesystem::path out = "waywright-out/check";
+  unsigned threads = 0;
+  bool fresh = false;
+  bool json = false;
+};
+int check(const CheckArguments& arguments);
+
 int list(const std::string& what);
 struct MapArguments {
   std::filesystem::path file;
@@ -104,6 +118,8 @@ struct GenerateArguments {
   std::filesystem::path out;
   std::uint64_t seed = 1;
   std::optional<int> boxes;
+  std::optional<int> count;                      ///< of stations
+  std::optional<std::filesystem::path> vehicle;  ///< that the stations are for
 };
 int generate(const GenerateArguments& arguments);
 

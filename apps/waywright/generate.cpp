@@ -9,6 +9,36 @@
 namespace waywright::app {
 namespace {
 
+std::string map_yaml(const std::filesystem::path& picture) {
+  return fmt::format(
+      "image: {}\nmode: trinary\nresolution: {}\norigin: [0.0, 0.0, 0.0]\nnegate: 0\noccupied_thresh: "
+      "0.65\nfree_thresh: 0.196\n",
+      picture.filename().string(), warehouse_cell);
+}
+
+/// The table, and its map beside it.
+int generate_stations(const GenerateArguments& arguments) {
+  if (arguments.boxes)
+    return complain({"", "--boxes", "it does not go with generate stations", "generate station"});
+  const std::filesystem::path vehicle_file =
+      arguments.vehicle.value_or(examples_folder() / "vehicles" / "forklift.json");
+  const auto vehicle = read_vehicle(vehicle_file);
+  if (!vehicle) return complain(vehicle.error());
+  const GeneratedSite site = generate_site(arguments.seed, arguments.count.value_or(20), *vehicle);
+  if (auto ready = prepare_folder_of(arguments.out); !ready) return complain(ready.error());
+  std::filesystem::path picture = arguments.out, yaml = arguments.out;
+  picture.replace_extension(".png");
+  yaml.replace_extension(".yaml");
+  if (arguments.out == picture || arguments.out == yaml)
+    return complain({arguments.out.string(), "", "the map has this name", "a name that ends in .csv"});
+  if (auto written = write_files({{picture, encode_png(site.map)}, {yaml, map_yaml(picture)}, {arguments.out, site.stations}}); !written)
+    return complain(written.error());
+  return print(fmt::format("written: {0}, {1}, {2}\ncheck it: waywright check {0} --map {1} --vehicle {3} --clearance 0.05\n",
+                           arguments.out.string(), yaml.string(), picture.string(), vehicle_file.string()))
+             ? solved
+             : not_solved;
+}
+
 int generate_warehouse_map(const GenerateArguments& arguments) {
   if (arguments.boxes)
     return complain({"", "--boxes", "it does not go with generate warehouse", "generate station"});
@@ -16,10 +46,7 @@ int generate_warehouse_map(const GenerateArguments& arguments) {
   if (auto ready = prepare_folder_of(arguments.out); !ready) return complain(ready.error());
   std::filesystem::path picture = arguments.out;
   picture.replace_extension(".png");
-  const std::string yaml = fmt::format(
-      "image: {}\nmode: trinary\nresolution: {}\norigin: [0.0, 0.0, 0.0]\nnegate: 0\noccupied_thresh: "
-      "0.65\nfree_thresh: 0.196\n",
-      picture.filename().string(), warehouse_cell);
+  const std::string yaml = map_yaml(picture);
   if (auto written = write_files({{picture, encode_png(image)}, {arguments.out, yaml}}); !written) return complain(written.error());
   return print(fmt::format("written: {}, {}\n", arguments.out.string(), picture.string())) ? solved : not_solved;
 }
@@ -27,10 +54,13 @@ int generate_warehouse_map(const GenerateArguments& arguments) {
 }  // namespace
 
 int generate(const GenerateArguments& arguments) {
+  if (arguments.name == "stations") return generate_stations(arguments);
+  if (arguments.count || arguments.vehicle)
+    return complain({"", arguments.count ? "--count" : "--vehicle", "it goes with generate stations alone", "generate stations"});
   if (arguments.name == "warehouse") return generate_warehouse_map(arguments);
   if (arguments.name != "station") {
     return complain(
-        {"", "generate", fmt::format("\"{}\" is not known", arguments.name), "station, warehouse"});
+        {"", "generate", fmt::format("\"{}\" is not known", arguments.name), "station, stations, warehouse"});
   }
   auto scenario = generate_station(arguments.seed, {arguments.boxes});
   if (!scenario) return complain(scenario.error());

@@ -76,6 +76,7 @@ int list(const std::string& what) {
   section("zones", [&] { text += line("(none)", "zones are not supported yet"); });
   section("generators", [&] {
     text += line("station", "a docking station with random shape, shelf, clutter, vehicle and start");
+    text += line("stations", "a site of docking stations: a table, and the map of their hall beside it");
     text += line("warehouse", "a ROS map of a 60 × 40 m warehouse with racks and aisles");
   });
   if (const PlannerDescription* planner = find_planner(what)) {

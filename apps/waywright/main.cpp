@@ -76,6 +76,21 @@ int run(int argc, char** argv) {
   compare_command->add_option("-o,--out", compare_arguments.out, "folder to write to");
   compare_command->callback([&] { status = compare(compare_arguments); });
 
+  CheckArguments check_arguments;
+  auto* check_command = app.add_subcommand("check", "plan and prove every place of a site; one table with pictures; what did not change is taken over");
+  check_command->add_option("STATIONS", check_arguments.inputs, "STATIONS.csv, or scenario files");
+  check_command->add_option("--map", check_arguments.map, "map of the site, with STATIONS.csv");
+  check_command->add_option("--vehicle", check_arguments.vehicle, "vehicle.json, with STATIONS.csv");
+  check_command->add_option("--clearance", check_arguments.clearance, "m, of rows of STATIONS.csv that name none");
+  check_command->add_option("--planner", check_arguments.planner, "planner of rows that name none; in place of a scenario file's");
+  check_command->add_option("--set", check_arguments.set, "KEY=VALUE for every place whose planner has the parameter; may be repeated");
+  check_command->add_option("--seed", check_arguments.seed, "seed of rows that name none; in place of a scenario file's");
+  check_command->add_option("--threads", check_arguments.threads, "0: all cores")->check(CLI::Range(0, 1024));
+  check_command->add_flag("--fresh", check_arguments.fresh, "plan all, take nothing over");
+  check_command->add_flag("--json", check_arguments.json, "the table as JSON on standard output and nothing else there");
+  check_command->add_option("-o,--out", check_arguments.out, "folder to write to, and to take over from");
+  check_command->callback([&] { status = check(check_arguments); });
+
   std::string what;
   auto* list_command = app.add_subcommand("list", "what there is, a line each");
   list_command->add_option("WHAT", what, "planners, optimizers, objectives, vehicles, maps, zones, generators, or a planner's name");
@@ -90,18 +105,20 @@ int run(int argc, char** argv) {
   map_command->callback([&] { status = map(map_arguments); });
 
   GenerateArguments generate_arguments;
-  auto* generate_command = app.add_subcommand("generate", "make a test scenario or map");
-  generate_command->add_option("NAME", generate_arguments.name, "station, warehouse")->required();
+  auto* generate_command = app.add_subcommand("generate", "make a test scenario, map or site");
+  generate_command->add_option("NAME", generate_arguments.name, "station, stations, warehouse")->required();
   generate_command->add_option("-o,--out", generate_arguments.out, "file to write")->required();
   generate_command->add_option("--seed", generate_arguments.seed, "other seeds, other scenarios");
   generate_command->add_option("--boxes", generate_arguments.boxes, "number of boxes in a station (default: 0 to 12 by seed)")->check(CLI::Range(0, 200));
+  generate_command->add_option("--count", generate_arguments.count, "number of stations of a site (default: 20)")->check(CLI::Range(1, 1000));
+  generate_command->add_option("--vehicle", generate_arguments.vehicle, "vehicle.json that the stations leave room for (default: the bundled forklift)");
   generate_command->callback([&] { status = generate(generate_arguments); });
 
-  for (const char* later : {"check", "reproduce", "sweep", "tune", "simulate", "serve", "agv", "fleet"}) {
+  for (const char* later : {"reproduce", "sweep", "tune", "simulate", "serve", "agv", "fleet"}) {
     auto* command = app.add_subcommand(later, "not supported yet");
     command->allow_extras();
     command->callback([&status, later] {
-      status = complain({"", std::string{"command "} + later, "it is not supported yet", "plan, replan, verify, import, compare, pareto, list, map, generate"});
+      status = complain({"", std::string{"command "} + later, "it is not supported yet", "plan, replan, verify, import, compare, check, pareto, list, map, generate"});
     });
   }
 

@@ -7,6 +7,7 @@
 #include "tests/fuzz/target.hpp"
 #include "waywright/io/plan_io.hpp"
 #include "waywright/io/scenario_io.hpp"
+#include "waywright/io/site_csv.hpp"
 #include "waywright/io/test_files.hpp"
 #include "waywright/judge/import.hpp"
 
@@ -113,6 +114,28 @@ Outcome run_poses(const std::string& text) {
   return Outcome::accepted;
 }
 
+Outcome run_site(const std::string& text) {
+  static const Site site = [] {
+    const Scenario whole = read_scenario(example("dock_insertion.json")).value();
+    return Site{whole.map, whole.map_source, whole.vehicle, whole.map.notes};
+  }();
+  const auto rows = parse_site_csv(text, "stations.csv", site);
+  if (!rows) {
+    require_sentence(rows.error());
+    return Outcome::refused;
+  }
+  require(!rows->empty(), "a site has a place");
+  for (const SiteRow& row : *rows) {
+    require(!row.name.empty(), "a place has a name");
+    const auto again = parse_scenario(scenario_json(row.scenario), "again", "nowhere");
+    require(again.has_value(), "what was accepted is a scenario");
+    require(fingerprint(*again) == fingerprint(row.scenario), "and reads back to the same bits");
+    const auto problem = Problem::prepare(row.scenario);
+    if (!problem) require_sentence(problem.error());
+  }
+  return Outcome::accepted;
+}
+
 std::vector<std::string> scenario_seeds() {
   std::vector<std::string> seeds{test::full_scenario, test::least_scenario,
                                  scenario_json(parse_scenario(test::full_scenario, "s", {}).value())};
@@ -154,6 +177,17 @@ std::vector<std::string> poses_seeds() {
   return {
       "# poses\nx,y,heading,direction\n0,0,0,1\n1,0,0.1,1\n1,0,0.1,-1\n0.5,0,0.1,-1\n0.5,0,0.6,0\n0.5,1,0.7,1\n",
       "yaw;X;y\n0;0;0\n0.01;1;0\n\n0.02;2;0.02\n",
+  };
+}
+
+std::vector<std::string> site_seeds() {
+  return {
+      "# a site\nname,start_x,start_y,start_heading,goal_x,goal_y,goal_heading,clearance,planner,seed\n"
+      "A,1,2,0.5,3,4,-1,0.05,,\n\"B \"\"1\"\"\",1,2,0.5,3,4,-1,,ompl_rrt_connect,7\n",
+      "name;start_x;start_y;start_heading_deg;shelf_x;shelf_y;shelf_heading_deg;shelf_depth;shelf_width;gap;slot;area;station.insertion.depth;station.insertion.pockets;"
+      "station.manoeuvre;pose_error.lateral;planner.optimizer;meta.who\n"
+      "A;9.5;7;0;0.9;7;0;1.2;2.7;0.1;-0.2;0 0 | 12 14;0.5;[[-0.6, -0.2], [0.1, 0.5]];dock;0.01;de;me\n"
+      "B;9.5;7;0;0.9;7;0;1.2;2.7;;;0 0 | 12 0 | 12 14 | 0 14;;;;;;\n",
   };
 }
 

@@ -387,7 +387,7 @@ Json map_to_json(const Map& map) {
 
 std::string map_json(const Map& map) { return pretty(map_to_json(map)); }
 
-Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align) {
+Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, std::string* record) {
   const auto refuse = [&](const char* problem, const char* allowed) {
     return tl::unexpected{InputError{file.string(), "", problem, allowed}};
   };
@@ -403,6 +403,7 @@ Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec
   ReadContext context{"", {}};
   Json source;
   Map map = read_map_node(Node{named, "", context}, file.parent_path(), source);
+  if (record != nullptr) *record = source.dump(-1, ' ', false, Json::error_handler_t::replace);
   if (!context.error) return map;
   InputError error = *context.error;
   if (error.field == "ros" || error.field == "polygons") error.field.clear();  // of the object made here, which names the file itself

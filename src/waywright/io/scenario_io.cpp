@@ -187,7 +187,7 @@ void check_format(const Node& node, const char* what) {
       wanted + "1");
 }
 
-Scenario read_scenario_node(const Node& node, const fs::path& folder) {
+Scenario read_scenario_node(const Node& node, const fs::path& folder, const Site* site) {
   Scenario scenario;
   check_format(node, "scenario");  // first: a newer one may well have fields that are unknown here
   if (node.failed() || !node.is_object_of({"format", "name", "meta", "map", "vehicle", "start", "goal",
@@ -203,11 +203,18 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder) {
   }
   if (node.failed()) return scenario;
   Json source = Json::object();
-  scenario.map = read_map_node(node.at("map"), folder, source);
+  if (site == nullptr) scenario.map = read_map_node(node.at("map"), folder, source);
   if (node.failed()) return scenario;
   std::vector<std::string>& notes = scenario.map.notes;
   const std::size_t notes_of_map = notes.size();
-  scenario.vehicle = read_vehicle_field(node.at("vehicle"), folder, notes);
+  if (site == nullptr) {
+    scenario.vehicle = read_vehicle_field(node.at("vehicle"), folder, notes);
+  } else {
+    scenario.vehicle = site->vehicle;
+    notes = site->notes;
+    source = Json::parse(site->map_source, nullptr, false);
+    if (!source.is_object()) source = Json::object();
+  }
   if (node.failed()) return scenario;
   read_start(node.at("start"), scenario);
   scenario.mission = read_mission(node, notes);
@@ -321,6 +328,18 @@ Parsed<Scenario> read_scenario(const fs::path& file) {
   auto text = read_file(file, largest_json);
   if (!text) return tl::unexpected{text.error()};
   return parse_scenario(*text, file.string(), file.parent_path());
+}
+
+Parsed<Site> read_site(const fs::path& map_file, const fs::path& vehicle_file) {
+  Site site;
+  auto map = read_map(map_file, {}, &site.map_source);
+  if (!map) return tl::unexpected{map.error()};
+  site.map = std::move(*map);
+  site.notes = site.map.notes;
+  auto vehicle = read_vehicle_file(vehicle_file, vehicle_file.filename().string(), site.notes);
+  if (!vehicle) return tl::unexpected{vehicle.error()};
+  site.vehicle = std::move(*vehicle);
+  return site;
 }
 
 std::string scenario_json(const Scenario& scenario, int indent) {

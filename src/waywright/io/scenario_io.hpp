@@ -20,7 +20,17 @@ Parsed<Vehicle> read_vehicle(const std::filesystem::path& file);
 
 /// A map alone: scenario.json's `map` object in a file of its own, a ROS yaml or a picture (resolution needed), by extension; placed
 /// by pairs of points (on the map, in the world) where such are given.
-Parsed<Map> read_map(const std::filesystem::path& file, const std::vector<std::pair<Vec2, Vec2>>& align = {});
+/// `record`, where given, receives where it came from, as JSON text (Scenario::map_source).
+Parsed<Map> read_map(const std::filesystem::path& file, const std::vector<std::pair<Vec2, Vec2>>& align = {}, std::string* record = nullptr);
+/// What all places of a site share.
+struct Site {
+  Map map;
+  std::string map_source = "{}";  ///< JSON text: as of Scenario
+  Vehicle vehicle;
+  std::vector<std::string> notes;  ///< what was repaired in both
+};
+Parsed<Site> read_site(const std::filesystem::path& map, const std::filesystem::path& vehicle);
+
 /// A map.json (polygons and cells inlined), as `map` writes it.
 std::string map_json(const Map& map);
 

@@ -4,12 +4,14 @@
 #include <string>
 
 #include "waywright/io/json_reader.hpp"
+#include "waywright/io/scenario_io.hpp"
 #include "waywright/scenario/scenario.hpp"
 
 namespace waywright {
 
-/// The whole scenario object; what is wrong is in the context. Paths in it are relative to `folder`.
-Scenario read_scenario_node(const Node& node, const std::filesystem::path& folder);
+/// The whole scenario object; what is wrong is in the context. Paths in it are relative to `folder`. With `site` the object names no map and
+/// no vehicle: the vehicle, the notes and the map's record are the site's, and the scenario's map holds nothing but the notes.
+Scenario read_scenario_node(const Node& node, const std::filesystem::path& folder, const Site* site = nullptr);
 Json scenario_to_json(const Scenario& scenario);
 
 /// A planner's parameters: every member of the object but `name`.

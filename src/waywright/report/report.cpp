@@ -16,7 +16,7 @@ namespace {
 constexpr double picture_width = 860.0;  // px
 constexpr std::size_t most_repairs = 6;  // told at the top; all of them stand in the scenario's table
 
-constexpr std::string_view page_styles = R"(
+constexpr std::string_view styles_of_pages = R"(
 :root{color-scheme:light dark;--ink:#1b1f24;--soft:#5b6570;--paper:#fff;--line:#d8dde2;--good:#00664f;--bad:#a0001c;--tint:#f4f6f8}
 @media (prefers-color-scheme:dark){:root{--ink:#e8ecf0;--soft:#a7b1bb;--paper:#14181d;--line:#343c45;--good:#4fd6ac;--bad:#ff9a9a;--tint:#1c2229}}
 body{font:15px/1.5 system-ui,-apple-system,"DejaVu Sans",sans-serif;color:var(--ink);background:var(--paper);margin:0 auto;max-width:1240px;padding:20px}
@@ -89,6 +89,8 @@ std::string side(const Problem& problem, const Plan& plan) {
 
 }  // namespace
 
+std::string_view page_styles() { return styles_of_pages; }
+
 std::string plan_svg(const Problem& problem, const Plan& plan) {
   return scene_svg(problem, plan, picture_width);
 }
@@ -98,7 +100,7 @@ std::string report_html(const Problem& problem, const Plan& plan) {
       "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width\">"
       "<title>{}</title>\n<style>{}</style></head>\n<body>\n",
-      escaped(plan.scenario.name.empty() ? "Plan" : plan.scenario.name), page_styles);
+      escaped(plan.scenario.name.empty() ? "Plan" : plan.scenario.name), styles_of_pages);
   out +=
       top(plan) + "<div class=\"columns\"><div class=\"wide\">\n" + scene_html(problem, plan, picture_width);
   if (const std::string along = charts_html(problem, plan); !along.empty())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "waywright/judge/plan.hpp"
@@ -15,6 +16,9 @@ std::string plan_svg(const Problem& problem, const Plan& plan);
 
 /// report.html: one self-contained file.
 std::string report_html(const Problem& problem, const Plan& plan);
+
+/// The styles of all pages: columns, tables, verdicts, light and dark.
+std::string_view page_styles();
 
 /// The short table that `plan` prints.
 std::string plan_text(const Plan& plan);

@@ -91,6 +91,20 @@ class Scene {
     draw_scale(svg_, canvas_);
   }
 
+  /// Without what only a large picture can show.
+  void draw_small() {
+    open_map(svg_, canvas_);
+    draw_map(svg_, problem_.scenario(), canvas_.region, false);
+    draw_sweep(svg_, problem_.footprint(), plan_.samples);
+    draw_path(svg_, plan_.samples);
+    draw_vehicle(svg_, problem_.footprint(), problem_.first_pose(), "S");
+    draw_vehicle(svg_, problem_.footprint(), problem_.last_pose(), end_name());
+    draw_blocked();
+    const Certificate& c = plan_.certificate;
+    if (!plan_.samples.empty() && c.tightest && !is_beyond_measure(c)) svg_.dot(c.tightest_point, 4.0, "tightdot");
+    svg_.close_group();
+  }
+
   std::vector<LegendEntry> legend() const {
     using Shape = LegendEntry::Shape;
     std::vector<LegendEntry> entries;
@@ -261,6 +275,17 @@ std::string scene_svg(const Problem& problem, const Plan& plan, double width) {
   const double whole = std::max(scene.canvas().width, 480.0);
   const double end = draw_legend(scene.svg(), scene.legend(), whole, scene.canvas().height + 40.0);
   return framed(scene.svg().take(), whole, end + 14.0, problem.scenario().name);
+}
+
+std::string small_svg(const Problem& problem, const Plan& plan, double width) {
+  Scene scene{problem, plan, width + left_gutter};
+  scene.draw_small();
+  const double w = scene.canvas().width - left_gutter;
+  const double h = scene.canvas().height - bottom_gutter;
+  return fmt::format(
+      "<svg class=\"ww\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{0} 0 {1} {2}\" width=\"{1}\" height=\"{2}\" role=\"img\">\n"
+      "<title>{3}</title>\n<style>{4}</style>\n<rect class=\"paper\" x=\"{0}\" width=\"{1}\" height=\"{2}\"/>\n{5}</svg>\n",
+      fixed(left_gutter), fixed(w), fixed(h), escaped(problem.scenario().name), picture_styles(), scene.svg().take());
 }
 
 std::string scene_html(const Problem& problem, const Plan& plan, double width) {

@@ -15,6 +15,9 @@ std::string scene_svg(const Problem& problem, const Plan& plan, double width);
 /// The same for a page: the legend is a list below the picture.
 std::string scene_html(const Problem& problem, const Plan& plan, double width);
 
+/// A small picture for an overview: map, station, swept footprint, path, tightest spot; nothing is written in it but S and the end's letter.
+std::string small_svg(const Problem& problem, const Plan& plan, double width);
+
 /// Several plans of one problem overlaid, each path with its name in the legend.
 std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std::string, const Plan*>>& plans,
                         double width);

@@ -128,7 +128,7 @@ void open_map(SvgWriter& svg, const Canvas& canvas) {
   svg.open_group("map", "clip-path=\"url(#map)\"");
 }
 
-bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region) {
+bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region, bool numbered) {
   for (const CellGrid& grid : scenario.map.grids) draw_cells(svg, grid, region);
   for (const Ring& ring : scenario.map.obstacles) svg.polygon(ring, "obstacle");
   for (const Ring& ring : scenario.map.boundaries) svg.polygon(ring, "boundary");
@@ -149,7 +149,7 @@ bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region) {
     }
     svg.line(shelf[1], shelf[2], "face");
   }
-  return draw_numbers(svg, scenario.map, region);
+  return numbered && draw_numbers(svg, scenario.map, region);
 }
 
 void draw_axes(SvgWriter& svg, const Canvas& canvas) {

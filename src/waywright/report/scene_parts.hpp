@@ -29,7 +29,7 @@ Ring outline_at(const Footprint& footprint, const Pose& pose);
 void open_map(SvgWriter& svg, const Canvas& canvas);
 /// Map and station; obstacles and lines with the numbers by which sentences name them. Returns whether there
 /// are numbers.
-bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region);
+bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region, bool numbered = true);
 /// Outline, heading and name.
 void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose, const char* name);
 /// Runs of equal direction in its colour, with arrows.

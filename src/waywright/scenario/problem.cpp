@@ -179,7 +179,7 @@ std::optional<InputError> Problem::check_waypoints() const {
   return std::nullopt;
 }
 
-Parsed<Problem> Problem::prepare(Scenario scenario) {
+Parsed<Problem> Problem::prepare(Scenario scenario, const World* of_map) {
   Problem problem;
   problem.scenario_ = std::move(scenario);
   const Scenario& given = problem.scenario_;
@@ -189,7 +189,7 @@ Parsed<Problem> Problem::prepare(Scenario scenario) {
   auto footprint = carried_footprint(given);
   if (auto* error = std::get_if<InputError>(&footprint)) return tl::unexpected{*error};
   problem.footprint_ = std::move(std::get<Footprint>(footprint));
-  problem.world_ = World{given.map};
+  problem.world_ = of_map != nullptr ? *of_map : World{given.map};
   if (const auto* station = std::get_if<Station>(&given.mission)) {
     if (auto error = problem.set_station(*station)) return tl::unexpected{*error};
   } else {

@@ -21,8 +21,9 @@ struct EntryMotion {
 class Problem {
  public:
   /// Builds the world (map + station's area + shelf). Checks of single fields are the reader's; this refuses what only
-  /// shows when map, vehicle and mission meet (shelf outside the station, gap under clearance, …).
-  static Parsed<Problem> prepare(Scenario scenario);
+  /// shows when map, vehicle and mission meet (shelf outside the station, gap under clearance, …). Problems that share a map may share the
+  /// work that a large grid makes: `of_map` is World{scenario.map}, not built, and is copied.
+  static Parsed<Problem> prepare(Scenario scenario, const World* of_map = nullptr);
 
   const Scenario& scenario() const { return scenario_; }
   const Vehicle& vehicle() const { return scenario_.vehicle; }

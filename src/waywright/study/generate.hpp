@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "waywright/core/result.hpp"
 #include "waywright/io/image.hpp"
@@ -27,5 +28,17 @@ Parsed<Scenario> generate_station(std::uint64_t seed, const StationOptions& opti
 /// docking area in the south-east corner (x 44 to 59, y 2 to 17 m).
 GreyImage generate_warehouse(std::uint64_t seed);
 inline constexpr double warehouse_cell = 0.05;  ///< m
+
+/// A hall of docking stations, as a site has it.
+struct GeneratedSite {
+  GreyImage map;         ///< occupancy at warehouse_cell, lower left corner at the origin
+  std::string stations;  ///< stations.csv
+};
+/// `count` bays of 12 × 13 m in rows that face each other across lanes of 3 m, in each a shelf at the back wall (1.0–1.4 × 2.2–3.2 m, anywhere
+/// along it, three in ten with the slot beside its middle), a start that looks away from it, columns, and up to five pallets of 0.8 × 1.2 m that
+/// leave start and docked pose of the vehicle free; whether there is a way between them is left to chance.
+/// @pre 1 ≤ count ≤ most_generated_stations
+GeneratedSite generate_site(std::uint64_t seed, int count, const Vehicle& vehicle);
+inline constexpr int most_generated_stations = 1000;
 
 }  // namespace waywright
