@@ -435,8 +435,8 @@ TEST_F(CommandLine, RepairsAreSaid) {
   const std::string plan = slurp(folder_ / "o/plan.json");
   EXPECT_NE(plan.find("station.area: 1 duplicate corner removed"), std::string::npos);
   EXPECT_NE(plan.find("clockwise order reversed"), std::string::npos);
-  EXPECT_NE(o.err.find("repaired: station.area: 1 duplicate corner removed"), std::string::npos) << o.err;
-  EXPECT_NE(slurp(folder_ / "o/report.html").find("Repaired on loading: station.area: 1 duplicate corner removed"), std::string::npos);
+  EXPECT_NE(o.err.find("note: station.area: 1 duplicate corner removed"), std::string::npos) << o.err;
+  EXPECT_NE(slurp(folder_ / "o/report.html").find("Noted on loading: station.area: 1 duplicate corner removed"), std::string::npos);
 }
 
 TEST_F(CommandLine, BadAlignmentsAreSaid) {

@@ -39,7 +39,7 @@ std::string describe(const std::filesystem::path& file, const Map& map) {
       text += fmt::format("{} {:.4f}", i == 0 ? "; residuals in m:" : ",", residuals[i]);
     text += "\n";
   }
-  for (const std::string& repaired : map.notes) text += "  repaired: " + repaired + "\n";
+  for (const std::string& note : map.notes) text += "  note: " + note + "\n";
   return text;
 }
 
@@ -48,6 +48,19 @@ Parsed<std::pair<Vec2, Vec2>> pair_from(const std::string& text) {
   if (const auto v = numbers_from(text, std::array{',', '=', ','})) return std::pair{Vec2{(*v)[0], (*v)[1]}, Vec2{(*v)[2], (*v)[3]}};
   return tl::unexpected{InputError{"", "--align", fmt::format("\"{}\" is not a pair of points", text),
                                    "X,Y=X,Y: a point on the map and where it lies in the world, in metres"}};
+}
+
+/// Names parted by commas; one of a name is written "\\,".
+std::vector<std::string> names_from(const std::string& text) {
+  std::vector<std::string> names;
+  if (text.empty()) return names;
+  names.emplace_back();
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == ',') names.emplace_back();
+    else if (text.compare(i, 2, "\\,") == 0) names.back() += text[++i];
+    else names.back() += text[i];
+  }
+  return names;
 }
 
 }  // namespace
@@ -59,7 +72,12 @@ int map(const MapArguments& arguments) {
     if (!pair) return complain(pair.error());
     pairs.push_back(*pair);
   }
-  auto map = read_map(arguments.file, pairs);
+  if (arguments.about_drawing && !is_dxf(arguments.file)) {
+    return complain({arguments.file.string(), "command line", "--unit, --obstacle-layers, --boundary-layer, --tolerance and --closing go with a drawing alone", "a .dxf file"});
+  }
+  dxf::Options drawing = arguments.drawing;
+  drawing.obstacle_layers = names_from(arguments.obstacle_layers);
+  auto map = read_map(arguments.file, pairs, drawing);
   if (!map) return complain(map.error());
   const auto& out = arguments.out;
   if (out) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "waywright/core/result.hpp"
+#include "waywright/dxf/floor_plan.hpp"
 #include "waywright/scenario/scenario.hpp"
 
 namespace waywright {
@@ -19,8 +20,9 @@ Parsed<Scenario> parse_scenario(const std::string& text, const std::string& name
 Parsed<Vehicle> read_vehicle(const std::filesystem::path& file);
 
 /// A map alone: scenario.json's `map` object in a file of its own, a ROS yaml or a picture (resolution needed), by extension; placed
-/// by pairs of points (on the map, in the world) where such are given.
-Parsed<Map> read_map(const std::filesystem::path& file, const std::vector<std::pair<Vec2, Vec2>>& align = {});
+/// by pairs of points (on the map, in the world) where such are given. Of a DXF `drawing` says what is taken.
+Parsed<Map> read_map(const std::filesystem::path& file, const std::vector<std::pair<Vec2, Vec2>>& align = {}, const dxf::Options& drawing = {});
+bool is_dxf(const std::filesystem::path& file);  ///< by its extension
 /// A map.json (polygons and cells inlined), as `map` writes it.
 std::string map_json(const Map& map);
 
