@@ -8,6 +8,7 @@
 #include "waywright/io/files.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/map/world.hpp"
+#include "waywright/report/map_picture.hpp"
 
 namespace waywright::app {
 namespace {
@@ -63,9 +64,18 @@ std::vector<std::string> names_from(const std::string& text) {
   return names;
 }
 
+std::string picture_of(const MapArguments& arguments, const Map& map, const std::optional<Map>& below, const std::vector<std::pair<Vec2, Vec2>>& pairs) {
+  constexpr double width = 1000.0;  // px
+  MapPicture picture{&map, arguments.file.filename().string(), below ? &*below : nullptr, arguments.overlay.value_or("").filename().string(), {}};
+  for (const auto& [on_map, in_world] : pairs) picture.pairs.push_back(in_world);
+  return map_svg(picture, width);
+}
+
 }  // namespace
 
 int map(const MapArguments& arguments) {
+  if (arguments.overlay && !arguments.picture) return complain({"", "--overlay", "there is no picture to draw the two maps in", "--picture FILE.svg beside it"});
+  if (arguments.out && arguments.picture && *arguments.out == *arguments.picture) return complain({"", "--picture", "it names the same file as -o", "two files"});
   std::vector<std::pair<Vec2, Vec2>> pairs;
   for (const std::string& text : arguments.align) {
     auto pair = pair_from(text);
@@ -79,13 +89,22 @@ int map(const MapArguments& arguments) {
   drawing.obstacle_layers = names_from(arguments.obstacle_layers);
   auto map = read_map(arguments.file, pairs, drawing);
   if (!map) return complain(map.error());
-  const auto& out = arguments.out;
-  if (out) {
-    if (auto ready = prepare_folder_of(*out); !ready) return complain(ready.error());
-    if (auto written = write_file(*out, map_json(*map)); !written) return complain(written.error());
+  std::optional<Map> below;
+  if (arguments.overlay) {
+    auto read = read_map(*arguments.overlay);
+    if (!read) return complain(read.error());
+    below = std::move(*read);
   }
-  return print(describe(arguments.file, *map) + (out ? "written: " + out->string() + "\n" : "")) ? solved
-                                                                                                 : not_solved;
+  std::vector<NamedContent> files;
+  if (arguments.out) files.push_back({*arguments.out, map_json(*map)});
+  if (arguments.picture) files.push_back({*arguments.picture, picture_of(arguments, *map, below, pairs)});
+  std::string said = describe(arguments.file, *map);
+  for (const NamedContent& file : files) {
+    if (auto ready = prepare_folder_of(file.path); !ready) return complain(ready.error());
+    said += "written: " + file.path.string() + "\n";
+  }
+  if (auto written = write_files(files); !written) return complain(written.error());
+  return print(said) ? solved : not_solved;
 }
 
 }  // namespace waywright::app

@@ -140,7 +140,10 @@ class Plan {
   void note_taken(const Unit& unit) {
     note(fmt::format("in {}{}; taken: {}", unit.name, options_.unit.empty() ? " as the drawing says" : "", counted(taken_, drawing_)));
     if (!left_.empty()) note((options_.obstacle_layers.empty() ? "left out, layers of annotations: " : "left out, layers that are not named: ") + counted(left_, drawing_));
-    if (!drawing_.left_out.empty()) note("left out, kinds that are no outlines: " + counted(drawing_.left_out, drawing_));
+    Counts writing, unread;
+    for (const auto& [key, count] : drawing_.left_out) (is_annotation_kind(key.first) ? writing : unread)[key] = count;
+    if (!writing.empty()) note("left out, writing and the like: " + counted(writing, drawing_));
+    if (!unread.empty()) note("left out, and they may stand for walls: " + counted(unread, drawing_) + ": explode them in CAD if they do");
     if (!frozen_.empty()) note("left out, frozen layers: " + counted(frozen_, drawing_));
     if (!off_.empty()) note("left out, layers that are off: " + counted(off_, drawing_));
     const auto some = [&](double count, const char* what) {

@@ -44,6 +44,13 @@ bool is_annotation(std::string_view name) {
   return false;
 }
 
+bool is_annotation_kind(std::string_view kind) {
+  static constexpr std::array kinds{"TEXT", "MTEXT", "RTEXT", "ARCALIGNEDTEXT", "ATTDEF", "DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "HATCH", "MPOLYGON", "LEADER", "MULTILEADER",
+                                    "TOLERANCE", "POINT", "VIEWPORT", "IMAGE", "WIPEOUT", "PDFUNDERLAY", "DWFUNDERLAY", "DGNUNDERLAY", "ACAD_TABLE", "OLE2FRAME", "OLEFRAME", "RAY",
+                                    "XLINE", "LIGHT", "SUN", "CAMERA", "GEOPOSITIONMARKER", "SECTIONOBJECT"};
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
 Parsed<std::vector<Role>> roles_of(const Drawing& drawing, const std::string& name, const Options& options) {
   std::vector<Role> roles(drawing.layers.size(), options.obstacle_layers.empty() ? Role::obstacle : Role::other);
   if (options.obstacle_layers.empty()) {

@@ -15,6 +15,9 @@ enum class Role { obstacle, boundary, annotation, other, off, frozen };
 /// True for layers that hold writing by their name: Defpoints, and a word that begins with DIM, TEXT, ANNO, NOTE, … or ends with TEXT.
 bool is_annotation(std::string_view name);
 
+/// True for kinds of entities that stand for nothing on the floor: writing, dimensions, hatches, pictures, construction lines.
+bool is_annotation_kind(std::string_view kind);
+
 /// A role for each layer. Refuses names that the drawing does not have.
 Parsed<std::vector<Role>> roles_of(const Drawing& drawing, const std::string& name, const Options& options);
 

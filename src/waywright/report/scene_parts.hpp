@@ -30,11 +30,17 @@ void open_map(SvgWriter& svg, const Canvas& canvas);
 /// Map and station; obstacles and lines with the numbers by which sentences name them. Returns whether there
 /// are numbers.
 bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region);
+/// The map alone, without numbers; of it the cells alone.
+void draw_map(SvgWriter& svg, const Map& map, const Box& region);
+void draw_map_cells(SvgWriter& svg, const Map& map, const Box& region);
 /// Outline, heading and name.
 void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose, const char* name);
 /// Runs of equal direction in its colour, with arrows.
 void draw_path(SvgWriter& svg, const std::vector<Sample>& samples);
 void draw_sweep(SvgWriter& svg, const Footprint& footprint, const std::vector<Sample>& samples);
+
+/// The <svg> element about a picture.
+std::string framed(std::string body, double width, double height, std::string_view title);
 
 /// Ticks with world coordinates along the left and lower edge.
 void draw_axes(SvgWriter& svg, const Canvas& canvas);
