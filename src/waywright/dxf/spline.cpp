@@ -93,7 +93,8 @@ std::variant<std::vector<Vec2>, std::string> chords(const SplineCurve& curve, do
       part.push_back(polar(curve, controls, span, at));
       if (j < p) at[p - 1 - j] = to;
     }
-    if (corners.empty()) corners.push_back(point(part.front()));
+    // At the start, and where knots that coincide let the curve jump.
+    if (corners.empty() || distance(corners.back(), point(part.front())) > 1e-3 * tolerance) corners.push_back(point(part.front()));
     add_chords(std::move(part), tolerance, 0, corners);
   }
   if (corners.size() < 2) return std::string{"the spline's knots span nothing"};
