@@ -15,7 +15,8 @@ bool places(int code) { return (code >= 10 && code < 60) || (code >= 70 && code 
 
 class Cleaner {
  public:
-  Cleaner(const std::string& name, const Drawing& drawing, double tolerance) : name_{name}, drawing_{drawing}, tolerance_{tolerance} {
+  Cleaner(const std::string& name, const Drawing& drawing, double tolerance, double above, double up_to)
+      : name_{name}, drawing_{drawing}, tolerance_{tolerance}, above_{above}, up_to_{up_to} {
     out_ = "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1021\n0\nENDSEC\n0\nSECTION\n2\nBLOCKS\n";
   }
 
@@ -47,6 +48,7 @@ class Cleaner {
   }
 
   std::string finish() {
+    if (!any_) return {};
     if (!in_entities_) out_ += "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
     out_ += "0\nENDSEC\n0\nEOF\n";
     return std::move(out_);
@@ -72,6 +74,9 @@ class Cleaner {
       return std::nullopt;
     }
     if (!is_outline(item)) return std::nullopt;
+    const double radius = block_->scale * largest_radius(item);
+    if (!(radius > above_) || radius > up_to_) return std::nullopt;
+    any_ = true;
     if (item.type == "SPLINE") return take_spline(item, token);
     begin(item.type, token, fmt::format("{}{}", item.type, is_curved(item) ? "~" : ""));
     if (item.type == "POLYLINE") return take_vertices(item, token);
@@ -141,16 +146,16 @@ class Cleaner {
 
   const std::string& name_;
   const Drawing& drawing_;
-  double tolerance_;
+  double tolerance_, above_, up_to_;
   const Block* block_ = nullptr;
-  bool in_entities_ = false;
+  bool in_entities_ = false, any_ = false;
   std::string out_;
 };
 
 }  // namespace
 
-Parsed<std::string> cleaned(std::string_view text, const std::string& name, const Drawing& drawing, double tolerance) {
-  Cleaner cleaner{name, drawing, tolerance};
+Parsed<std::string> cleaned(std::string_view text, const std::string& name, const Drawing& drawing, double tolerance, double above, double up_to) {
+  Cleaner cleaner{name, drawing, tolerance, above, up_to};
   if (auto error = walk(text, name, [&](Section section, const Item& item) { return cleaner.take(section, item); })) return tl::unexpected{*error};
   return cleaner.finish();
 }

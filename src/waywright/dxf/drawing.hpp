@@ -56,7 +56,9 @@ struct Drawing {
 Parsed<Drawing> scan(std::string_view text, const std::string& name);
 
 /// The same drawing with nothing but what can be taken, layers and blocks by number ("0", "L7", "B3"), each entity with a group 100 that
-/// holds its kind ("WW ARC~": curved). Splines are chorded within `tolerance` (drawing units).
-Parsed<std::string> cleaned(std::string_view text, const std::string& name, const Drawing& drawing, double tolerance);
+/// holds its kind ("WW ARC~": curved). Splines are chorded within `tolerance` (drawing units). Only entities whose largest radius, scaled,
+/// is above `above` and at most `up_to` (straight ones have 0).
+/// @return empty where there are none
+Parsed<std::string> cleaned(std::string_view text, const std::string& name, const Drawing& drawing, double tolerance, double above, double up_to);
 
 }  // namespace waywright::dxf

@@ -15,7 +15,9 @@
 namespace waywright::dxf {
 namespace {
 
-constexpr double least_step = 0.05, most_step = 15.0;      // degrees of one chord
+constexpr double least_step = 0.01, most_step = 15.0;      // degrees of one chord: 0.01 serves up to 130 km within 1 mm
+constexpr double class_width = 16.0;                       // of radii that are read with one step: four times the points that it takes, at most
+constexpr std::size_t most_raw_points = 100'000'000;     // as GDAL gives them
 constexpr std::size_t most_points = 4'000'000;             // of the whole plan; a map holds half as many edges
 constexpr double least_size = 2.0, most_size = 1000.0;     // m, of a floor plan whose unit nobody has given
 constexpr double outline_share = 0.5;                      // of the other pieces, that an outline of the plan is about
@@ -70,22 +72,18 @@ class Plan {
       : drawing_{drawing}, name_{name}, options_{options}, roles_{std::move(roles)} {}
 
   std::optional<InputError> read(std::string_view text, const Unit& unit) {
-    // Half of the tolerance for what GDAL makes of arcs, half for leaving out points of it.
+    // Half of the tolerance for what GDAL makes of arcs, half for leaving out points of it. GDAL has one step for all arcs, so that the
+    // largest would make far too many points of the small ones: they are read by classes of radius.
     const double tolerance = 0.5 * options_.tolerance / unit.metres;
-    const double radius = drawing_.largest_radius;
-    const double needed = radius > tolerance ? 2.0 * std::acos(1.0 - tolerance / radius) * 180.0 / pi : most_step;
-    const double step = std::clamp(needed, least_step, most_step);
-    deviation_ = 0.5 * options_.tolerance + std::max(tolerance, radius * (1.0 - std::cos(0.5 * step * pi / 180.0))) * unit.metres;
-    auto clean = cleaned(text, name_, drawing_, tolerance);
-    if (!clean) return clean.error();
-    std::size_t points = 0;
-    std::optional<InputError> error;
-    auto expanded = expand(*clean, name_, step, [&](Piece&& piece) {
-      error = take(std::move(piece), unit, points);
-      return !error;
-    });
-    if (!expanded) return expanded.error();
-    if (error) return error;
+    deviation_ = options_.tolerance;
+    for (double radius = drawing_.largest_radius; !last_class_;) {
+      const double step = step_for(radius, tolerance);
+      last_class_ = step >= most_step || radius == 0.0;
+      const double next = radius / class_width;
+      if (auto error = read_class(text, unit, tolerance, step, last_class_ ? -1.0 : next, radius)) return error;
+      if (step <= least_step) deviation_ = std::max(deviation_, (tolerance + radius * (1.0 - std::cos(0.5 * step * pi / 180.0))) * unit.metres);
+      radius = next;
+    }
     if (options_.unit.empty() && !pieces_.empty()) return check_size(pieces_, unit, name_);
     return std::nullopt;
   }
@@ -114,7 +112,25 @@ class Plan {
   }
 
  private:
-  std::optional<InputError> take(Piece&& piece, const Unit& unit, std::size_t& points) {
+  static double step_for(double radius, double tolerance) {
+    const double needed = radius > tolerance ? 2.0 * std::acos(1.0 - tolerance / radius) * 180.0 / pi : most_step;
+    return std::clamp(needed, least_step, most_step);
+  }
+
+  std::optional<InputError> read_class(std::string_view text, const Unit& unit, double tolerance, double step, double above, double up_to) {
+    auto clean = cleaned(text, name_, drawing_, tolerance, above, up_to);
+    if (!clean) return clean.error();
+    if (clean->empty()) return std::nullopt;
+    std::optional<InputError> error;
+    auto expanded = expand(*clean, name_, step, [&](Piece&& piece) {
+      error = take(std::move(piece), unit);
+      return !error;
+    });
+    return expanded ? error : expanded.error();
+  }
+
+  std::optional<InputError> take(Piece&& piece, const Unit& unit) {
+    raw_points_ += piece.points.size();
     const Role role = roles_[piece.layer];
     if (role != Role::obstacle && role != Role::boundary) {
       ++(role == Role::off ? off_ : role == Role::frozen ? frozen_ : left_)[{piece.kind, piece.layer}];
@@ -127,8 +143,8 @@ class Plan {
     if (piece.curved || piece.kind == "SPLINE") piece.points = simplified(piece.points, 0.5 * options_.tolerance);
     piece.points.erase(std::unique(piece.points.begin(), piece.points.end()), piece.points.end());
     if (piece.points.size() < 2) return ++empty_, std::nullopt;
-    points += piece.points.size();
-    if (points > most_points) return InputError{name_, "", fmt::format("it needs more than {} points", most_points), "fewer entities, named by obstacle_layers, or a coarser tolerance"};
+    points_ += piece.points.size();
+    if (points_ > most_points || raw_points_ > most_raw_points) return InputError{name_, "", fmt::format("it needs more than {} points", most_points), "fewer entities, named by obstacle_layers, or a coarser tolerance"};
     by_fit_points_ += piece.by_fit_points ? 1 : 0;
     ++taken_[{piece.kind, piece.layer}];
     pieces_.push_back(std::move(piece));
@@ -286,6 +302,8 @@ class Plan {
   Counts taken_, left_, off_, frozen_;
   FloorPlan plan_;
   std::size_t outline_ = none;
+  bool last_class_ = false;
+  std::size_t points_ = 0, raw_points_ = 0;
   std::size_t empty_ = 0, by_fit_points_ = 0, closed_ = 0, refused_ = 0, duplicates_ = 0;
   double widest_gap_ = 0.0, deviation_ = 0.0;
   std::string first_refused_;

@@ -100,6 +100,21 @@ TEST(FloorPlan, CurvesKeepTheTolerance) {
   }
 }
 
+/// One arc of a large radius does not make thousands of points of every small circle.
+TEST(FloorPlan, EachCurveHasThePointsThatItNeeds) {
+  std::string content = groups({{0, "ARC"}, {8, "W"}, {10, -9e6}, {20, 0}, {40, 9e6}, {50, -0.1}, {51, 0.1}});
+  for (int i = 0; i < 2000; ++i) content += circle("W", i % 50 * 100, i / 50 * 100, 40);
+  const FloorPlan plan = plan_of(entities(content));
+  ASSERT_EQ(plan.obstacles.size(), 2000u);
+  for (const Ring& ring : plan.obstacles) EXPECT_LT(ring.size(), 40u);
+  ASSERT_EQ(plan.lines.size(), 1u);
+  double worst = 0.0;
+  for (int i = 0; i <= 1000; ++i) worst = std::max(worst, distance_to(plan.lines[0], Vec2{-9000, 0} + 9000.0 * unit((-0.1 + 0.0002 * i) * pi / 180), false));
+  EXPECT_LT(worst, 1e-3);
+  EXPECT_LT(plan.lines[0].size(), 30u);
+  EXPECT_SAYS(plan, "chords no farther than 1 mm");
+}
+
 TEST(FloorPlan, BlocksAreInsertedWithScaleTurnMirrorAndArray) {
   TestDrawing drawing;
   drawing.block("B", 1000, 0, box("0", 1000, 0, 3000, 1000));
