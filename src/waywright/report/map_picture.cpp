@@ -77,7 +77,9 @@ std::string map_svg(const MapPicture& picture, double width) {
   std::vector<LegendEntry> legend;
   const Map& map = *picture.map;
   if (picture.below != nullptr) {
+    svg.open_group("below", "opacity=\"0.5\"");  // or the other would not be seen on it
     draw_map(svg, *picture.below, region);
+    svg.close_group();
     draw_map_cells(svg, map, region);
     draw_placed(svg, map);
     legend.push_back({"cell", Shape::box, picture.below_name});
@@ -96,7 +98,8 @@ std::string map_svg(const MapPicture& picture, double width) {
   for (std::size_t i = 0; i < picture.pairs.size(); ++i) {
     svg.dot(picture.pairs[i], 4.5, "spot");
     const bool known = map.alignment && i < map.alignment->residuals.size();
-    svg.label(picture.pairs[i], {8.0, -6.0}, known ? fmt::format("{}: {:.0f} mm", i + 1, 1e3 * map.alignment->residuals[i]) : fmt::format("{}", i + 1), "name");
+    const bool at_right = canvas.view(picture.pairs[i]).x > canvas.width - 100.0, at_top = canvas.view(picture.pairs[i]).y < 24.0;
+    svg.label(picture.pairs[i], {at_right ? -8.0 : 8.0, at_top ? 18.0 : -6.0}, known ? fmt::format("{}: {:.0f} mm", i + 1, 1e3 * map.alignment->residuals[i]) : fmt::format("{}", i + 1), at_right ? "name end" : "name");
   }
   if (!picture.pairs.empty()) legend.push_back({"spot", Shape::dot, "pairs of points, with what they are apart"});
   svg.close_group();
