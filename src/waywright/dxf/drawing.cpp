@@ -61,6 +61,8 @@ class Scan {
   std::optional<InputError> take(Section section, const Item& item) {
     if (section == Section::header && item.type == "$INSUNITS") drawing_.unit = whole_number(item, 70, 0);
     if (section == Section::tables && item.type == "LAYER") return take_layer(item);
+    if (section == Section::blocks && any_entity_) return InputError{name_, fmt::format("line {}", item.line), "blocks stand after the entities that insert them", "the section BLOCKS before ENTITIES"};
+    any_entity_ = any_entity_ || section == Section::entities;
     if (section == Section::blocks && item.type == "BLOCK") return begin_block(item);
     if (section == Section::blocks && item.type == "ENDBLK") block_ = no_block;
     if (section == Section::entities) block_ = 0;
@@ -201,7 +203,7 @@ class Scan {
   std::size_t block_ = no_block;
   std::vector<std::size_t> order_;
   double instances_ = 0.0;
-  bool any_ = false;
+  bool any_ = false, any_entity_ = false;
 };
 
 }  // namespace

@@ -280,6 +280,7 @@ TEST(FloorPlan, WhatCannotBeReadIsRefusedInASentence) {
            {selfish.text(), "inserts itself"},
            {bomb.text(), "more than 3000000 entities"},
            {twice.text(), "defined twice"},
+           {good.substr(0, good.rfind("  0\nEOF")) + groups({{0, "SECTION"}, {2, "BLOCKS"}, {0, "BLOCK"}, {2, "A"}, {0, "ENDBLK"}, {0, "ENDSEC"}, {0, "EOF"}}), "blocks stand after"},
            {entities(groups({{0, "TEXT"}, {8, "0"}, {1, "x"}})), "there is nothing to take"},
            {entities(hall + groups({{0, "SPLINE"}, {8, "W"}, {71, 3}, {40, 0}, {10, 0}, {20, 0}})), "control points"}}) {
     const std::string error = error_of(c.text);
