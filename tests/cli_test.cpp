@@ -17,10 +17,12 @@
 #include <thread>
 
 #include "tests/command_line.hpp"
+#include "waywright/dxf/test_drawing.hpp"
 
 namespace {
 
 using namespace waywright::test;
+namespace test = waywright::test;
 
 TEST_F(CommandLine, EveryExamplePlansAndVerifies) {
   for (const auto& entry : fs::directory_iterator{example("")}) {
@@ -388,8 +390,8 @@ TEST_F(CommandLine, RepairsAreSaid) {
   const std::string plan = slurp(folder_ / "o/plan.json");
   EXPECT_NE(plan.find("station.area: 1 duplicate corner removed"), std::string::npos);
   EXPECT_NE(plan.find("clockwise order reversed"), std::string::npos);
-  EXPECT_NE(o.err.find("repaired: station.area: 1 duplicate corner removed"), std::string::npos) << o.err;
-  EXPECT_NE(slurp(folder_ / "o/report.html").find("Repaired on loading: station.area: 1 duplicate corner removed"), std::string::npos);
+  EXPECT_NE(o.err.find("note: station.area: 1 duplicate corner removed"), std::string::npos) << o.err;
+  EXPECT_NE(slurp(folder_ / "o/report.html").find("Noted on loading: station.area: 1 duplicate corner removed"), std::string::npos);
 }
 
 TEST_F(CommandLine, BadAlignmentsAreSaid) {
@@ -404,6 +406,47 @@ TEST_F(CommandLine, BadAlignmentsAreSaid) {
   EXPECT_EQ(near.err, "");
 }
 
+TEST_F(CommandLine, DrawingsBecomeMapsPicturesAndPlans) {
+  test::TestDrawing drawing;  // 12 m × 10 m, in millimetres, with a rack, a pillar and a wall
+  drawing.entities = test::box("HALL", 0, 0, 12000, 10000) + test::box("RACKS", 4000, 8500, 8000, 9500) + test::circle("RACKS", 6000, 500, 300) + test::line("WALLS", 9000, 9000, 9000, 10000);
+  std::ofstream{folder_ / "plan.dxf"} << drawing.text();
+  const Outcome o = run("map plan.dxf --boundary-layer hall --obstacle-layers RACKS,walls -o m.json --align 0,0=1,2 --align 12,0=1,14.004 --overlay " + example("warehouse.yaml") + " --picture p.svg");
+  EXPECT_EQ(o.status, 0) << o.err;
+  for (const char* words : {"1 boundaries, 2 obstacle polygons", "1 lines", "residuals in m: 0.0020, 0.0020", "note: plan.dxf: in mm as the drawing says", "written: m.json\nwritten: p.svg"}) {
+    EXPECT_NE(o.out.find(words), std::string::npos) << o.out;
+  }
+  const std::string picture = slurp(folder_ / "p.svg");
+  for (const char* part : {"placedbound", "placedline", "class=\"cell\"", "1: 2 mm", "plan.dxf: walls", "warehouse.yaml"}) EXPECT_NE(picture.find(part), std::string::npos) << part;
+  EXPECT_EQ(run("map m.json").status, 0);
+
+  const Json j = {{"format", "waywright-scenario/1"},
+       {"map", {{"dxf", "plan.dxf"}, {"unit", "mm"}, {"obstacle_layers", {"RACKS", "WALLS"}}, {"boundary_layer", "HALL"}}},
+       {"vehicle", {{"footprint", {{-0.5, -0.4}, {1.0, -0.4}, {1.0, 0.4}, {-0.5, 0.4}}}, {"drive", {{"type", "tricycle"}, {"wheelbase", 1.0}, {"max_steering", 1.0}}}}},
+       {"start", {2, 3, 0}},
+       {"goal", {9, 6, 1.5}},
+       {"planner", {{"name", "ompl_rrt_connect"}}}};
+  const Outcome planned = run("plan " + write(j) + " -o o");
+  EXPECT_EQ(planned.status, 0) << planned.err;
+  EXPECT_NE(planned.err.find("note: plan.dxf: in mm; taken: "), std::string::npos) << planned.err;
+  fs::remove(folder_ / "plan.dxf");
+  EXPECT_EQ(run("verify o/plan.json").status, 0);  // the map is in the plan
+  const Json source = Json::parse(slurp(folder_ / "o/plan.json"))["scenario"]["map"]["source"];
+  EXPECT_EQ(source["kind"], "dxf");
+  EXPECT_EQ(source["unit"], "mm");
+  EXPECT_EQ(source["files"][0]["sha256"].get<std::string>().size(), 64u);
+}
+
+TEST_F(CommandLine, WithoutItsPartForDrawingsItSaysSo) {
+  test::TestDrawing drawing;
+  drawing.entities = test::box("0", 0, 0, 12000, 10000);
+  std::ofstream{folder_ / "plan.dxf"} << drawing.text();
+  ASSERT_EQ(::setenv("WAYWRIGHT_DXF_MODULE", "/nowhere/libwaywright_dxf.so", 1), 0);
+  const Outcome o = run("map plan.dxf");
+  ::unsetenv("WAYWRIGHT_DXF_MODULE");
+  refused(o, {"plan.dxf", "libwaywright_dxf.so, is not there", "libgdal-dev"});
+  EXPECT_EQ(run("map plan.dxf").status, 0);
+}
+
 TEST_F(CommandLine, MapAlignsByPairsOfPoints) {
   const Outcome o = run("map " + example("warehouse.yaml") + " --align 0,0=10,5 --align 10,0=10,15.02 -o m.json");
   EXPECT_EQ(o.status, 0) << o.err;
@@ -411,6 +454,9 @@ TEST_F(CommandLine, MapAlignsByPairsOfPoints) {
   EXPECT_NE(run("map m.json").out.find("residuals in m: 0.0100, 0.0100"), std::string::npos);
   refused(run("map " + example("warehouse.yaml") + " --align 0,0=10"), {"--align", "0,0=10", "X,Y=X,Y"});
   refused(run("map " + example("warehouse.yaml") + " --align 0,0=10,5"), {"align", "two pairs"});
+  refused(run("map " + example("warehouse.yaml") + " --unit mm"), {"--unit", "a .dxf file"});
+  refused(run("map " + example("warehouse.yaml") + " --overlay m.json"), {"--overlay", "--picture"});
+  refused(run("map gone.dxf"), {"waywright: gone.dxf: there is no such file"});
   refused(run("map gone.yaml"), {"waywright: gone.yaml: there is no such file"});
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "waywright/core/result.hpp"
+#include "waywright/dxf/floor_plan.hpp"
 
 namespace waywright::app {
 
@@ -110,6 +111,11 @@ struct MapArguments {
   std::filesystem::path file;
   std::optional<std::filesystem::path> out;
   std::vector<std::string> align;  ///< "X,Y=X,Y": on the map, in the world
+  dxf::Options drawing;                          ///< of a DXF alone
+  std::string obstacle_layers;                   ///< "A,B"
+  bool about_drawing = false;                    ///< one of the options for a DXF was given
+  std::optional<std::filesystem::path> overlay;  ///< a map that is drawn below this one
+  std::optional<std::filesystem::path> picture;  ///< SVG to write
 };
 int map(const MapArguments& arguments);
 

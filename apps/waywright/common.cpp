@@ -72,7 +72,7 @@ void note(const std::string& sentence) {
 }
 
 void note_all(const std::vector<std::string>& repairs, const std::vector<std::string>& warnings) {
-  for (const std::string& repair : repairs) note("repaired: " + repair);
+  for (const std::string& repair : repairs) note("note: " + repair);
   for (const std::string& warning : warnings) note("warning: " + warning);
 }
 

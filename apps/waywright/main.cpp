@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -98,11 +99,25 @@ int run(int argc, char** argv) {
 
   MapArguments map_arguments;
   auto* map_command = app.add_subcommand("map", "what a map file holds; with -o it is written as map.json");
-  map_command->add_option("FILE", map_arguments.file, "ROS yaml or map.json")->required();
+  map_command->add_option("FILE", map_arguments.file, "ROS yaml, map.json or DXF drawing")->required();
   map_command->add_option("-o,--out", map_arguments.out, "map.json to write");
   map_command->add_option("--align", map_arguments.align,
                           "X,Y=X,Y: a point on the map and where it lies in the world; two or more place the map, and their residuals are told");
-  map_command->callback([&] { status = map(map_arguments); });
+  const std::vector<CLI::Option*> of_drawings{
+      map_command->add_option("--unit", map_arguments.drawing.unit, "of a DXF: mm, cm, m, in, ft (default: as the drawing says)"),
+      map_command->add_option("--obstacle-layers", map_arguments.obstacle_layers,
+                              "A,B: of a DXF, the layers that are obstacles; a comma of a name is written \\, (default: all but those of writing and the boundary)"),
+      map_command->add_option("--boundary-layer", map_arguments.drawing.boundary_layer, "of a DXF: the layer whose closed rings are the boundary"),
+      map_command->add_option("--tolerance", map_arguments.drawing.tolerance, "m, of a DXF: chords stay so near to their curves (default: 0.001)")
+          ->check(CLI::Range(waywright::dxf::least_tolerance, waywright::dxf::most_tolerance)),
+      map_command->add_option("--closing", map_arguments.drawing.closing, "m, of a DXF: outlines are closed over gaps up to this (default: 0.01)")
+          ->check(CLI::Range(0.0, waywright::dxf::most_closing))};
+  map_command->add_option("--overlay", map_arguments.overlay, "a map (ROS yaml, map.json, DXF with a unit of its own) drawn in the same picture, as it lies in the world");
+  map_command->add_option("--picture", map_arguments.picture, "SVG to write: the map, and what --overlay names");
+  map_command->callback([&] {
+    map_arguments.about_drawing = std::any_of(of_drawings.begin(), of_drawings.end(), [](const CLI::Option* option) { return option->count() > 0; });
+    status = map(map_arguments);
+  });
 
   GenerateArguments generate_arguments;
   auto* generate_command = app.add_subcommand("generate", "make a test scenario, map or site");

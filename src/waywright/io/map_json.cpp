@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "waywright/dxf/floor_plan.hpp"
 #include "waywright/io/files.hpp"
 #include "waywright/io/map_io.hpp"
 #include "waywright/io/map_parts.hpp"
@@ -22,6 +23,7 @@ constexpr int most_files = 256;
 constexpr int most_overlays_deep = 8;
 constexpr std::size_t deepest_source = 24;      // levels of a record that is carried along
 constexpr double largest_raw_coordinate = 1e9;  // m, before a transform: national grids have large ones
+constexpr std::uint64_t largest_drawing = 1ULL << 30;  // bytes
 constexpr double largest_record = 1e12;         // m, of a transform that was made of several
 
 /// A loading error that speaks of its own file.
@@ -81,6 +83,8 @@ class MapReader {
       read_ros(source);
     else if (kind_ == "image")
       read_image(source);
+    else if (kind_ == "dxf")
+      read_dxf(source);
     else
       read_inlined(source);
     if (!node_.failed()) place(source);
@@ -99,22 +103,23 @@ class MapReader {
  private:
   bool check_fields() {
     if (!node_.is_object()) {
-      node_.fail(fmt::format("it is {}", kind_of(node_.json())), "an object with polygons, cells, ros or image");
+      node_.fail(fmt::format("it is {}", kind_of(node_.json())), "an object with polygons, cells, ros, image or dxf");
       return false;
     }
     // Before the other fields: these kinds have fields of their own.
-    for (const char* later : {"dxf", "movingai", "generate"}) {
+    for (const char* later : {"movingai", "generate"}) {
       if (!node_.has(later)) continue;
-      node_.at(later).fail("this kind of map is not supported yet", "polygons, cells, ros, image");
+      node_.at(later).fail("this kind of map is not supported yet", "polygons, cells, ros, image, dxf");
       return false;
     }
     if (!node_.is_object_of({"polygons", "cells", "ros", "image", "resolution", "origin", "occupied_below",
-                             "unknown_is_free", "transform", "align", "overlay", "obstacles", "source",
+                             "unknown_is_free", "dxf", "unit", "obstacle_layers",
+                             "boundary_layer", "tolerance", "closing", "transform", "align", "overlay", "obstacles", "source",
                              "notes", "alignment"})) {
       return false;
     }
     int kinds = 0;
-    for (const char* kind : {"ros", "image"}) {
+    for (const char* kind : {"ros", "image", "dxf"}) {
       if (!node_.has(kind)) continue;
       ++kinds;
       kind_ = kind;
@@ -125,12 +130,14 @@ class MapReader {
     }
     if (kinds != 1) {
       node_.fail(kinds == 0 ? "no kind of map is given" : fmt::format("{} kinds of map are given", kinds),
-                 "exactly one of polygons (with cells), ros, image");
+                 "exactly one of polygons (with cells), ros, image, dxf");
       return false;
     }
+    if (kind_ != "dxf" && !has_none_of({"unit", "obstacle_layers", "boundary_layer", "tolerance", "closing"})) return false;
     if (kind_ == "ros")
       return has_none_of({"resolution", "origin", "occupied_below", "source", "notes", "alignment"});
     if (kind_ == "image") return has_none_of({"unknown_is_free", "source", "notes", "alignment"});
+    if (kind_ == "dxf") return has_none_of({"resolution", "origin", "occupied_below", "unknown_is_free", "source", "notes", "alignment"});
     return has_none_of({"resolution", "origin", "occupied_below", "unknown_is_free"});
   }
 
@@ -175,6 +182,32 @@ class MapReader {
     source["origin"] = to_json(origin);
     source["occupied_below"] = below;
     take_grid(node_.at("image"), load_image_map(folder_ / name, resolution, origin, below), source);
+  }
+
+  void read_dxf(Json& source) {
+    const std::string name = node_.at("dxf").file_name();
+    dxf::Options options;
+    if (node_.has("unit")) options.unit = node_.at("unit").word({"mm", "cm", "m", "in", "ft"});
+    if (node_.has("obstacle_layers")) {
+      for (const Node& layer : node_.at("obstacle_layers").elements()) options.obstacle_layers.push_back(layer.text());
+    }
+    if (node_.has("boundary_layer")) options.boundary_layer = node_.at("boundary_layer").text();
+    if (node_.has("tolerance")) options.tolerance = node_.at("tolerance").number(dxf::least_tolerance, dxf::most_tolerance);
+    if (node_.has("closing")) options.closing = node_.at("closing").number(0.0, dxf::most_closing);
+    if (node_.failed() || !count_file()) return;
+    auto text = read_file(folder_ / name, largest_drawing);
+    if (!text) return fail_by_file(node_.at("dxf"), text.error());
+    auto plan = dxf::read_floor_plan(*text, (folder_ / name).string(), options);
+    if (!plan) return fail_by_file(node_.at("dxf"), plan.error());
+    source["file"] = name;
+    for (const char* field : {"unit", "obstacle_layers", "boundary_layer", "tolerance", "closing"}) {
+      if (node_.has(field)) source[field] = node_.at(field).json();
+    }
+    add_file(source, fs::path{name}.filename().string(), sha256(*text));
+    map_.boundaries = std::move(plan->boundaries);
+    map_.obstacles = std::move(plan->obstacles);
+    map_.lines = std::move(plan->lines);
+    for (std::string& note : plan->notes) map_.notes.push_back(std::move(note));
   }
 
   void take_grid(const Node& name, Parsed<LoadedGrid> loaded, Json& source) {
@@ -387,18 +420,31 @@ Json map_to_json(const Map& map) {
 
 std::string map_json(const Map& map) { return pretty(map_to_json(map)); }
 
-Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, std::string* record) {
+bool is_dxf(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  return extension == ".dxf";
+}
+
+Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, const dxf::Options& drawing, std::string* record) {
   const auto refuse = [&](const char* problem, const char* allowed) {
     return tl::unexpected{InputError{file.string(), "", problem, allowed}};
   };
   const std::string extension = file.extension().string();
-  if (extension == ".dxf") return refuse("DXF maps are not supported yet", "map.json, a ROS yaml");
   if (extension == ".pgm" || extension == ".png") {
     return refuse("a picture alone has no scale", "a ROS yaml, or a map.json with image and resolution");
   }
   // A map object that names the file, or that lies in it: the same reading and checks as in a scenario.
   const bool yaml = extension == ".yaml" || extension == ".yml";
-  Json named{{yaml ? "ros" : "polygons", file.filename().string()}};
+  const bool is_drawing = is_dxf(file);
+  Json named{{yaml ? "ros" : is_drawing ? "dxf" : "polygons", file.filename().string()}};
+  if (is_drawing) {
+    if (!drawing.unit.empty()) named["unit"] = drawing.unit;
+    if (!drawing.obstacle_layers.empty()) named["obstacle_layers"] = drawing.obstacle_layers;
+    if (!drawing.boundary_layer.empty()) named["boundary_layer"] = drawing.boundary_layer;
+    named["tolerance"] = drawing.tolerance;
+    named["closing"] = drawing.closing;
+  }
   for (const auto& [from, to] : align) named["align"].push_back(Json::array({to_json(from), to_json(to)}));
   ReadContext context{"", {}};
   Json source;
@@ -406,7 +452,7 @@ Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec
   if (record != nullptr) *record = source.dump(-1, ' ', false, Json::error_handler_t::replace);
   if (!context.error) return map;
   InputError error = *context.error;
-  if (error.field == "ros" || error.field == "polygons") error.field.clear();  // of the object made here, which names the file itself
+  if (error.field == "ros" || error.field == "polygons" || error.field == "dxf") error.field.clear();  // of the object made here, which names the file itself
   else if (error.file.empty()) error.file = file.string();
   return tl::unexpected{error};
 }

@@ -332,7 +332,7 @@ Parsed<Scenario> read_scenario(const fs::path& file) {
 
 Parsed<Site> read_site(const fs::path& map_file, const fs::path& vehicle_file) {
   Site site;
-  auto map = read_map(map_file, {}, &site.map_source);
+  auto map = read_map(map_file, {}, {}, &site.map_source);
   if (!map) return tl::unexpected{map.error()};
   site.map = std::move(*map);
   site.notes = site.map.notes;

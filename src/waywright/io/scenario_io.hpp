@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "waywright/core/result.hpp"
+#include "waywright/dxf/floor_plan.hpp"
 #include "waywright/scenario/scenario.hpp"
 
 namespace waywright {
@@ -19,9 +20,10 @@ Parsed<Scenario> parse_scenario(const std::string& text, const std::string& name
 Parsed<Vehicle> read_vehicle(const std::filesystem::path& file);
 
 /// A map alone: scenario.json's `map` object in a file of its own, a ROS yaml or a picture (resolution needed), by extension; placed
-/// by pairs of points (on the map, in the world) where such are given.
+/// by pairs of points (on the map, in the world) where such are given. Of a DXF `drawing` says what is taken.
 /// `record`, where given, receives where it came from, as JSON text (Scenario::map_source).
-Parsed<Map> read_map(const std::filesystem::path& file, const std::vector<std::pair<Vec2, Vec2>>& align = {}, std::string* record = nullptr);
+Parsed<Map> read_map(const std::filesystem::path& file, const std::vector<std::pair<Vec2, Vec2>>& align = {}, const dxf::Options& drawing = {}, std::string* record = nullptr);
+bool is_dxf(const std::filesystem::path& file);  ///< by its extension
 /// What all places of a site share.
 struct Site {
   Map map;

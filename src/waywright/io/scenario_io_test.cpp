@@ -282,7 +282,7 @@ TEST(MapJson, MapsAloneAreReadAndWritten) {
   const auto sentence = [&](const std::string& name) {
     return read_map(folder.path() / name).error().message().substr(folder.path().string().size() + 1);
   };
-  EXPECT_EQ(sentence("hall.dxf"), "hall.dxf: DXF maps are not supported yet (allowed: map.json, a ROS yaml)");
+  EXPECT_EQ(sentence("hall.dxf"), "hall.dxf: there is no such file (allowed: a file that can be read)");
   EXPECT_EQ(sentence("maps/m.pgm"),
             "maps/m.pgm: a picture alone has no scale (allowed: a ROS yaml, or a map.json with image and "
             "resolution)");

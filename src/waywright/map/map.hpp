@@ -44,7 +44,7 @@ struct Map {
   std::vector<Vec2> points;      ///< scan points
   std::vector<CellGrid> grids;
   std::optional<Alignment> alignment;
-  std::vector<std::string> notes;  ///< what was repaired on loading, in plain sentences
+  std::vector<std::string> notes;  ///< what was taken, left out and repaired on loading, in plain sentences
 };
 
 }  // namespace waywright

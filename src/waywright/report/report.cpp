@@ -42,7 +42,7 @@ std::string top(const Plan& plan) {
     out += fmt::format("<p class=\"warn\">{}</p>\n", escaped(warning));
   const std::vector<std::string>& repairs = plan.scenario.map.notes;
   if (!repairs.empty()) {
-    out += "<p class=\"warn\">Repaired on loading: ";
+    out += "<p class=\"warn\">Noted on loading: ";
     for (std::size_t i = 0; i < repairs.size() && i < most_repairs; ++i)
       out += (i > 0 ? "; " : "") + escaped(repairs[i]);
     out += repairs.size() > most_repairs

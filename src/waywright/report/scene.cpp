@@ -258,6 +258,8 @@ class Scene {
        tight_ = false, off_straight_ = false;
 };
 
+}  // namespace
+
 std::string framed(std::string body, double width, double height, std::string_view title) {
   return fmt::format(
       "<svg class=\"ww\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
@@ -266,8 +268,6 @@ std::string framed(std::string body, double width, double height, std::string_vi
       "height=\"{1}\"/>\n{4}</svg>\n",
       fixed(width), fixed(height), escaped(title), picture_styles(), body);
 }
-
-}  // namespace
 
 std::string scene_svg(const Problem& problem, const Plan& plan, double width) {
   Scene scene{problem, plan, width};

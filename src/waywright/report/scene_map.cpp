@@ -128,14 +128,22 @@ void open_map(SvgWriter& svg, const Canvas& canvas) {
   svg.open_group("map", "clip-path=\"url(#map)\"");
 }
 
-bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region, bool numbered) {
-  for (const CellGrid& grid : scenario.map.grids) draw_cells(svg, grid, region);
-  for (const Ring& ring : scenario.map.obstacles) svg.polygon(ring, "obstacle");
-  for (const Ring& ring : scenario.map.boundaries) svg.polygon(ring, "boundary");
-  for (const Polyline& line : scenario.map.lines) svg.polyline(line, "wall");
-  for (const Vec2 p : scenario.map.points) {
+void draw_map_cells(SvgWriter& svg, const Map& map, const Box& region) {
+  for (const CellGrid& grid : map.grids) draw_cells(svg, grid, region);
+}
+
+void draw_map(SvgWriter& svg, const Map& map, const Box& region) {
+  draw_map_cells(svg, map, region);
+  for (const Ring& ring : map.obstacles) svg.polygon(ring, "obstacle");
+  for (const Ring& ring : map.boundaries) svg.polygon(ring, "boundary");
+  for (const Polyline& line : map.lines) svg.polyline(line, "wall");
+  for (const Vec2 p : map.points) {
     if (region.contains(p)) svg.dot(p, 1.8, "point");
   }
+}
+
+bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region, bool numbered) {
+  draw_map(svg, scenario.map, region);
   if (const auto* station = std::get_if<Station>(&scenario.mission)) {
     svg.polygon(station->area, "area");
     const Ring shelf = station->shelf.outline();

@@ -30,6 +30,9 @@ void open_map(SvgWriter& svg, const Canvas& canvas);
 /// Map and station; obstacles and lines with the numbers by which sentences name them. Returns whether there
 /// are numbers.
 bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region, bool numbered = true);
+/// The map alone, without numbers; of it the cells alone.
+void draw_map(SvgWriter& svg, const Map& map, const Box& region);
+void draw_map_cells(SvgWriter& svg, const Map& map, const Box& region);
 /// Outline, heading and name.
 void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose, const char* name);
 /// Runs of equal direction in its colour, with arrows.
@@ -40,6 +43,8 @@ void draw_waypoints(SvgWriter& svg, const Scenario& scenario);
 
 /// Of the i-th of several plans in one picture.
 const char* overlay_colour(std::size_t i);
+/// The <svg> element about a picture.
+std::string framed(std::string body, double width, double height, std::string_view title);
 
 /// Ticks with world coordinates along the left and lower edge.
 void draw_axes(SvgWriter& svg, const Canvas& canvas);

@@ -129,6 +129,7 @@ constexpr std::string_view rules = R"(
 .ww .boundary{fill:none;stroke:var(--wall);stroke-width:2}.ww .area{fill:none;stroke:var(--wall);stroke-width:1.5;stroke-dasharray:7 4}
 .ww .obstacle{fill:var(--solid);stroke:var(--wall);stroke-width:1}.ww .wall{fill:none;stroke:var(--wall);stroke-width:2}
 .ww .point{fill:var(--wall)}.ww .cell{fill:var(--cell)}.ww .unknown{fill:var(--unknown)}
+.ww .placed{fill:var(--fwd);fill-opacity:.2;stroke:var(--fwd);stroke-width:1.4}.ww .placedline{fill:none;stroke:var(--fwd);stroke-width:1.4}.ww .placedbound{fill:none;stroke:var(--zone);stroke-width:2;stroke-dasharray:9 4}
 .ww .shelf{fill:var(--shelf);fill-opacity:.45;stroke:var(--shelf);stroke-width:1.5}.ww .face{stroke:var(--shelf);stroke-width:5}.ww .pocket{fill:var(--paper);stroke:var(--shelf);stroke-width:1;stroke-dasharray:3 2}
 .ww .zone{fill:var(--zone);fill-opacity:.10;stroke:var(--zone);stroke-width:1;stroke-dasharray:3 3}
 .ww .sweep{fill:var(--fwd);fill-opacity:.14;stroke:none}.ww .ghost{fill:none;stroke:var(--soft);stroke-width:.6;stroke-opacity:.55}

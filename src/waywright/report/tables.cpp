@@ -175,7 +175,7 @@ std::string scenario_table(const Problem& problem, const Plan& plan) {
   if (s.map.alignment && !s.map.alignment->residuals.empty()) {
     rows.push_back({"Alignment residuals", residual_words(*s.map.alignment), ""});
   }
-  for (const std::string& note : s.map.notes) rows.push_back({"Repaired", note, ""});
+  for (const std::string& note : s.map.notes) rows.push_back({"Noted", note, ""});
   return table(rows);
 }
 

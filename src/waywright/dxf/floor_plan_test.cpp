@@ -1,0 +1,411 @@
+// Floor plans: what becomes of each kind of entity, layers, units, blocks, repairs, and what is refused.
+#include "waywright/dxf/floor_plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "waywright/dxf/test_drawing.hpp"
+
+namespace waywright::dxf {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace waywright::test;
+
+const std::string hall = box("WALLS", 0, 0, 20000, 10000);
+
+FloorPlan plan_of(const std::string& text, const Options& options = {}) {
+  auto plan = read_floor_plan(text, "dir/plan.dxf", options);
+  EXPECT_TRUE(plan) << plan.error().message();
+  return plan ? *plan : FloorPlan{};
+}
+
+std::string error_of(const std::string& text, const Options& options = {}) {
+  const auto plan = read_floor_plan(text, "dir/plan.dxf", options);
+  EXPECT_FALSE(plan);
+  return plan ? "" : plan.error().message();
+}
+
+std::string entities(const std::string& content) {
+  TestDrawing drawing;
+  drawing.entities = content;
+  return drawing.text();
+}
+
+bool says(const FloorPlan& plan, const std::string& words) {
+  return std::any_of(plan.notes.begin(), plan.notes.end(), [&](const std::string& note) { return note.find(words) != note.npos; });
+}
+#define EXPECT_SAYS(plan, words) EXPECT_TRUE(says(plan, words)) << testing::PrintToString((plan).notes)
+
+double distance_to(const Polyline& line, Vec2 p, bool closed) {
+  double least = 1e300;
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < line.size(); ++i) {
+    const Vec2 a = line[i], d = line[(i + 1) % line.size()] - a;
+    const double t = squared_norm(d) > 0.0 ? std::clamp(dot(p - a, d) / squared_norm(d), 0.0, 1.0) : 0.0;
+    least = std::min(least, distance(p, a + t * d));
+  }
+  return least;
+}
+
+TEST(FloorPlan, LinesAreWallsAndClosedOutlinesAreSolid) {
+  const FloorPlan plan = plan_of(entities(line("WALLS", 0, 0, 20000, 0) + box("RACKS", 1000, 1000, 3000, 2000) + polyline("WALLS", false, {{0, 0}, {0, 9000}, {500, 9000}})));
+  ASSERT_EQ(plan.lines.size(), 2u);
+  ASSERT_EQ(plan.obstacles.size(), 1u);
+  EXPECT_EQ(plan.obstacles[0], rectangle({1, 1}, {3, 2}));
+  EXPECT_EQ(plan.lines[1], (Polyline{{0, 0}, {0, 9}, {0.5, 9}}));
+  EXPECT_SAYS(plan, "plan.dxf: in mm as the drawing says; taken: 1 LINE and 1 LWPOLYLINE on WALLS; 1 LWPOLYLINE on RACKS");
+}
+
+TEST(FloorPlan, OldPolylinesAreReadTooAndTheirFramesAreNot) {
+  const std::string old = groups({{0, "POLYLINE"}, {8, "A"}, {66, 1}, {70, 1}, {0, "VERTEX"}, {8, "A"}, {10, 0}, {20, 0}, {0, "VERTEX"}, {8, "A"}, {10, 9999}, {20, 9999}, {70, 16},
+                                  {0, "VERTEX"}, {8, "A"}, {10, 4000}, {20, 0}, {0, "VERTEX"}, {8, "A"}, {10, 4000}, {20, 2000}, {0, "SEQEND"}, {8, "A"}});
+  const FloorPlan plan = plan_of(entities(old));
+  ASSERT_EQ(plan.obstacles.size(), 1u);
+  EXPECT_EQ(plan.obstacles[0], (Ring{{0, 0}, {4, 0}, {4, 2}}));
+  const std::string mesh = groups({{0, "POLYLINE"}, {8, "A"}, {66, 1}, {70, 64}, {0, "VERTEX"}, {10, 0}, {20, 0}, {0, "SEQEND"}});
+  EXPECT_SAYS(plan_of(entities(hall + mesh)), "they may stand for walls: 1 POLYLINE on A");
+}
+
+/// Every point of the true curve is near its chords and every chord's middle near the curve, in a drawing with a scale of its own.
+TEST(FloorPlan, CurvesKeepTheTolerance) {
+  TestDrawing drawing;
+  // A circle of 1 m, an ellipse, an arc and a half circle by its bulge; all in a block that is inserted at twice the size, inside another one.
+  drawing.block("CURVES", 0, 0, circle("W", 0, 0, 1000) + groups({{0, "ARC"}, {8, "W"}, {10, 20000}, {20, 0}, {40, 9000}, {50, 300}, {51, 45}}));
+  drawing.block("OUTER", 0, 0, groups({{0, "INSERT"}, {8, "0"}, {2, "curves"}, {10, 0}, {20, 0}, {41, 2}, {42, 2}}));
+  drawing.entities = groups({{0, "INSERT"}, {8, "0"}, {2, "OUTER"}, {10, 50000}, {20, 0}}) + polyline("W", false, {{0, 0, 1}, {4000, 0}}) +
+                     groups({{0, "ELLIPSE"}, {8, "W"}, {10, 0}, {20, 30000}, {11, 6000}, {21, 0}, {40, 0.25}, {41, 0}, {42, 2 * pi}});
+  for (const double tolerance : {1e-4, 1e-3, 0.02}) {
+    Options options;
+    options.tolerance = tolerance;
+    const FloorPlan plan = plan_of(drawing.text(), options);
+    ASSERT_EQ(plan.obstacles.size(), 2u);
+    ASSERT_EQ(plan.lines.size(), 2u);
+    double worst = 0.0;
+    for (int i = 0; i <= 5000; ++i) {
+      const double t = i / 5000.0;
+      worst = std::max(worst, distance_to(plan.obstacles[0], Vec2{50, 0} + 2.0 * unit(two_pi * t), true));
+      worst = std::max(worst, distance_to(plan.obstacles[1], {6 * std::cos(two_pi * t), 30 + 1.5 * std::sin(two_pi * t)}, true));
+      worst = std::max(worst, distance_to(plan.lines[0], Vec2{90, 0} + 18.0 * unit((-60 + 105 * t) * pi / 180), false));
+      worst = std::max(worst, distance_to(plan.lines[1], Vec2{2, 0} + 2.0 * unit(pi + pi * t), false));
+    }
+    EXPECT_LE(worst, tolerance);
+    EXPECT_GT(worst, 0.01 * tolerance);  // no more points than it takes, by far
+    EXPECT_LT(plan.obstacles[0].size(), 8 * std::sqrt(2.0 / tolerance));
+  }
+}
+
+/// One arc of a large radius does not make thousands of points of every small circle.
+TEST(FloorPlan, EachCurveHasThePointsThatItNeeds) {
+  std::string content = groups({{0, "ARC"}, {8, "W"}, {10, -9e6}, {20, 0}, {40, 9e6}, {50, -0.1}, {51, 0.1}});
+  for (int i = 0; i < 2000; ++i) content += circle("W", i % 50 * 100, i / 50 * 100, 40);
+  const FloorPlan plan = plan_of(entities(content));
+  ASSERT_EQ(plan.obstacles.size(), 2000u);
+  for (const Ring& ring : plan.obstacles) EXPECT_LT(ring.size(), 40u);
+  ASSERT_EQ(plan.lines.size(), 1u);
+  double worst = 0.0;
+  for (int i = 0; i <= 1000; ++i) worst = std::max(worst, distance_to(plan.lines[0], Vec2{-9000, 0} + 9000.0 * unit((-0.1 + 0.0002 * i) * pi / 180), false));
+  EXPECT_LT(worst, 1e-3);
+  EXPECT_LT(plan.lines[0].size(), 30u);
+  EXPECT_SAYS(plan, "chords no farther than 1 mm");
+}
+
+TEST(FloorPlan, BlocksAreInsertedWithScaleTurnMirrorAndArray) {
+  TestDrawing drawing;
+  drawing.block("B", 1000, 0, box("0", 1000, 0, 3000, 1000));
+  drawing.block("N", 0, 0, groups({{0, "INSERT"}, {8, "0"}, {2, "B"}, {10, 5000}, {20, 0}, {41, 2}, {42, 1}, {50, 90}}));
+  drawing.entities = groups({{0, "INSERT"}, {8, "MACHINES"}, {2, "N"}, {10, 10000}, {20, 2000}, {41, 1}, {42, 3}, {50, 30}}) +
+                     groups({{0, "INSERT"}, {8, "MACHINES"}, {2, "b"}, {10, 0}, {20, 0}, {41, -1}, {42, 1}, {70, 2}, {71, 3}, {44, 10000}, {45, 4000}});
+  const FloorPlan plan = plan_of(drawing.text());
+  ASSERT_EQ(plan.obstacles.size(), 7u);
+  const auto nested = [](Vec2 p) {  // from the block's own frame, in metres
+    const Vec2 scaled{2 * (p.x - 1), p.y};
+    const Vec2 turned = left_of(scaled) + Vec2{5, 0};
+    return Frame{Pose{10, 2, pi / 6}}.to_world(Vec2{turned.x, 3 * turned.y});
+  };
+  double area = 0.0;
+  for (const Vec2 corner : rectangle({1, 0}, {3, 1})) {
+    double nearest = 1e9;
+    for (const Vec2 p : plan.obstacles[0]) nearest = std::min(nearest, distance(p, nested(corner)));
+    EXPECT_LT(nearest, 1e-9);
+  }
+  area = signed_area(plan.obstacles[0]);
+  EXPECT_NEAR(area, 2 * 2 * 3, 1e-9);
+  Box all = bounding_box(plan.obstacles[1]);
+  for (std::size_t i = 1; i < 7; ++i) {
+    EXPECT_NEAR(signed_area(plan.obstacles[i]), 2, 1e-9);  // mirrored, and counter-clockwise again
+    const Box b = bounding_box(plan.obstacles[i]);
+    all = {{std::min(all.low.x, b.low.x), std::min(all.low.y, b.low.y)}, {std::max(all.high.x, b.high.x), std::max(all.high.y, b.high.y)}};
+  }
+  EXPECT_NEAR(all.low.x, -2, 1e-9);
+  EXPECT_NEAR(all.high.x, 10, 1e-9);
+  EXPECT_NEAR(all.high.y, 9, 1e-9);
+  EXPECT_SAYS(plan, "7 LWPOLYLINE on MACHINES");  // what lies on layer 0 in a block is on the layer of its insertion
+}
+
+TEST(FloorPlan, LayersSayWhatIsTaken) {
+  TestDrawing drawing;
+  drawing.layer("WALLS", 0, 7);
+  drawing.layer("ICE", 1, 7);
+  drawing.layer("DARK", 0, -7);
+  drawing.block("B", 0, 0, line("WALLS", 0, 0, 100, 100) + line("ICE", 0, 0, 100, 100));
+  drawing.entities = hall + line("ICE", 0, 0, 1, 1000) + line("DARK", 0, 0, 1, 1000) + line("A-TEXT-1", 0, 0, 1, 1000) + line("dims", 0, 0, 1, 1000) + line("Defpoints", 0, 0, 1, 1000) +
+                     groups({{0, "TEXT"}, {8, "WALLS"}, {10, 0}, {20, 0}, {1, "hall"}}) + groups({{0, "HATCH"}, {8, "WALLS"}}) + groups({{0, "MLINE"}, {8, "WALLS"}}) +
+                     groups({{0, "INSERT"}, {8, "ICE"}, {2, "B"}, {10, 0}, {20, 0}}) + groups({{0, "INSERT"}, {8, "0"}, {2, "B"}, {10, 0}, {20, 0}}) +
+                     groups({{0, "LINE"}, {8, "WALLS"}, {67, 1}, {10, 0}, {20, 0}, {11, 5}, {21, 99999999}}) + groups({{0, "INSERT"}, {8, "0"}, {2, "GONE"}, {10, 0}, {20, 0}});
+  const FloorPlan plan = plan_of(drawing.text());
+  EXPECT_EQ(plan.lines.size(), 1u);
+  EXPECT_EQ(plan.obstacles.size(), 1u);
+  for (const char* words : {"annotations: 1 LINE on A-TEXT-1; 1 LINE on dims; 1 LINE on Defpoints", "frozen layers: 2 LINE on ICE", "layers that are off: 1 LINE on DARK",
+                            "writing and the like: 1 HATCH and 1 TEXT on WALLS", "may stand for walls: 1 MLINE on WALLS", "1 inserted blocks on frozen layers", "1 entities of paper space",
+                            "1 inserted blocks that the drawing does not define"}) {
+    EXPECT_SAYS(plan, words);
+  }
+  Options named;
+  named.obstacle_layers = {"dims", "A-Text-1"};
+  named.boundary_layer = "walls";
+  const FloorPlan other = plan_of(drawing.text(), named);
+  EXPECT_EQ(other.lines.size(), 3u);  // and the open line on the boundary's layer
+  EXPECT_EQ(other.boundaries.size(), 1u);
+  EXPECT_SAYS(other, "layers that are not named: 1 LINE on Defpoints");
+  named.obstacle_layers = {"WALL"};
+  EXPECT_EQ(error_of(drawing.text(), named).find("dir/plan.dxf: obstacle_layers: the drawing has no layer \"WALL\" (allowed: 0, WALLS, ICE"), 0u);
+}
+
+TEST(FloorPlan, BoundaryOfLinesThatMeet) {
+  const std::string lines = line("B", 0, 0, 20000, 0) + line("B", 20000, 3, 20000, 10000) + line("B", 0, 10000, 20000, 10000) + line("B", 0, 10000, 0, 0);
+  Options options;
+  options.boundary_layer = "B";
+  const FloorPlan plan = plan_of(entities(lines + box("R", 1000, 1000, 2000, 2000)), options);
+  ASSERT_EQ(plan.boundaries.size(), 1u);
+  EXPECT_NEAR(signed_area(plan.boundaries[0]), 200, 0.1);
+  EXPECT_EQ(plan.lines.size(), 0u);
+  EXPECT_SAYS(plan, "4 lines of the boundary layer were joined to 1 rings (gaps up to 3 mm)");
+  options.closing = 0.001;
+  EXPECT_NE(error_of(entities(lines), options).find("layer B holds no closed ring"), std::string::npos);
+  options.closing = 0.01;
+  EXPECT_NE(error_of(entities(box("B", 0, 0, 5000, 5000) + box("B", 6000, 0, 9000, 5000)), options).find("beside each other"), std::string::npos);
+}
+
+TEST(FloorPlan, AnOutlineOfThePlanIsNotSolid) {
+  std::string racks;
+  for (int i = 0; i < 5; ++i) racks += box("RACKS", 1000 + 3000 * i, 1000, 2000 + 3000 * i, 8000);
+  const FloorPlan plan = plan_of(entities(hall + racks));
+  EXPECT_EQ(plan.obstacles.size(), 5u);
+  ASSERT_EQ(plan.lines.size(), 1u);
+  EXPECT_EQ(plan.lines[0].front(), plan.lines[0].back());
+  EXPECT_SAYS(plan, "taken as walls, not as solid");
+}
+
+TEST(FloorPlan, UnitsAreBelievedWhereTheSizeIsThatOfAHall) {
+  TestDrawing drawing;
+  drawing.entities = box("0", 0, 0, 900, 400);
+  const std::string small = error_of(drawing.text());
+  EXPECT_NE(small.find("this hall would be 0.9 m wide and 0.4 m deep in the unit that the drawing names, mm"), std::string::npos) << small;
+  EXPECT_NE(small.find("22.9 m in in"), std::string::npos) << small;
+  EXPECT_NE(small.find("--unit"), std::string::npos);
+  drawing.unit = "6";
+  drawing.entities = box("0", 0, 0, 2000, 400);
+  EXPECT_NE(error_of(drawing.text()).find("this hall would be 2 km wide"), std::string::npos);
+  Options options;
+  for (const auto& [unit, metres] : {std::pair{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 0.0254}, {"ft", 0.3048}}) {
+    options.unit = unit;
+    EXPECT_NEAR(bounding_box(plan_of(drawing.text(), options).obstacles[0]).high.x, 2000 * metres, 1e-9);
+  }
+  options.unit = "yd";
+  EXPECT_NE(error_of(drawing.text(), options).find("\"yd\" is not known (allowed: mm, cm, m, in, ft)"), std::string::npos);
+  for (const char* none : {"", "0", "3"}) {
+    drawing.unit = none;
+    EXPECT_NE(error_of(drawing.text()).find("give unit (--unit)"), std::string::npos);
+  }
+}
+
+TEST(FloorPlan, RepairsAreTold) {
+  const FloorPlan open = plan_of(entities(polyline("0", false, {{0, 0}, {9000, 0}, {9000, 5000}, {0, 5000}, {0, 4}})));
+  EXPECT_EQ(open.obstacles.size(), 1u);
+  EXPECT_SAYS(open, "1 polylines whose ends are up to 4 mm apart were closed");
+  const FloorPlan crossing = plan_of(entities(polyline("0", true, {{0, 0}, {9000, 5000}, {9000, 0}, {0, 5000}})));
+  EXPECT_EQ(crossing.obstacles.size(), 0u);
+  ASSERT_EQ(crossing.lines.size(), 1u);
+  EXPECT_EQ(crossing.lines[0].size(), 5u);
+  EXPECT_SAYS(crossing, "1 closed outlines that enclose nothing clearly were taken as walls (first: a LWPOLYLINE on 0, edges");
+  const FloorPlan twice = plan_of(entities(polyline("0", true, {{0, 0}, {9000, 0}, {9000, 0}, {9000, 5000}, {0, 5000}, {0, 0}})));
+  ASSERT_EQ(twice.obstacles.size(), 1u);
+  EXPECT_EQ(twice.obstacles[0].size(), 4u);
+  const FloorPlan nothing = plan_of(entities(hall + line("0", 5, 5, 5, 5)));
+  EXPECT_SAYS(nothing, "1 entities without length");
+  const FloorPlan solid = plan_of(entities(groups({{0, "SOLID"}, {8, "0"}, {10, 0}, {20, 0}, {11, 4000}, {21, 0}, {12, 0}, {22, 4000}, {13, 4000}, {23, 4000}})));
+  ASSERT_EQ(solid.obstacles.size(), 1u);
+  EXPECT_NEAR(signed_area(solid.obstacles[0]), 16, 1e-9);
+}
+
+TEST(FloorPlan, WhatCannotBeReadIsRefusedInASentence) {
+  const std::string good = entities(hall);
+  struct Case {
+    std::string text;
+    const char* words;
+  };
+  TestDrawing selfish;
+  selfish.block("A", 0, 0, groups({{0, "INSERT"}, {8, "0"}, {2, "B"}, {10, 0}, {20, 0}}));
+  selfish.block("B", 0, 0, groups({{0, "INSERT"}, {8, "0"}, {2, "A"}, {10, 0}, {20, 0}}));
+  selfish.entities = hall + groups({{0, "INSERT"}, {8, "0"}, {2, "A"}, {10, 0}, {20, 0}});
+  TestDrawing bomb;
+  bomb.block("A0", 0, 0, line("0", 0, 0, 1, 1));
+  for (int i = 1; i < 9; ++i) {
+    std::string ten;
+    for (int k = 0; k < 10; ++k) ten += groups({{0, "INSERT"}, {8, "0"}, {2, fmt::format("A{}", i - 1)}, {10, k}, {20, 0}});
+    bomb.block(fmt::format("A{}", i), 0, 0, ten);
+  }
+  bomb.entities = hall + groups({{0, "INSERT"}, {8, "0"}, {2, "A8"}, {10, 0}, {20, 0}});
+  TestDrawing twice;
+  twice.block("A", 0, 0, "");
+  twice.block("a", 0, 0, "");
+  for (const Case& c : std::vector<Case>{
+           {"", "not a DXF drawing"},
+           {"hello\nworld\n", "there is no group code"},
+           {"AutoCAD Binary DXF\r\n\x1a", "binary DXF"},
+           {"AC1032 and so on", "DWG"},
+           {good.substr(0, good.size() / 2), "cut short"},
+           {good.substr(0, good.rfind("  0\nEOF")), "cut short: it ends before its EOF"},
+           {entities(hall + line("W", std::nan(""), 0, 1, 1)), "(LINE on layer W): \"nan\" is not a finite number"},
+           {entities(hall + groups({{0, "LINE"}, {8, "W"}, {10, "1e999"}, {20, 0}, {11, 1}, {21, 1}})), "\"1e999\" is not a finite number"},
+           {entities(hall + groups({{0, "LINE"}, {8, "W"}, {10, "x"}, {20, 0}, {11, 1}, {21, 1}})), "\"x\" is not a finite number"},
+           {entities(hall + line("W", 1e300, 0, 1, 1)), "is out of range"},
+           {entities(hall + groups({{0, "ARC"}, {8, "W"}, {10, 0}, {20, 0}, {40, 1}, {50, 1e300}, {51, 0}})), "is out of range"},
+           {selfish.text(), "inserts itself"},
+           {bomb.text(), "more than 3000000 entities"},
+           {twice.text(), "defined twice"},
+           {good.substr(0, good.rfind("  0\nEOF")) + groups({{0, "SECTION"}, {2, "BLOCKS"}, {0, "BLOCK"}, {2, "A"}, {0, "ENDBLK"}, {0, "ENDSEC"}, {0, "EOF"}}), "blocks stand after"},
+           {entities(groups({{0, "TEXT"}, {8, "0"}, {1, "x"}})), "there is nothing to take"},
+           {entities(hall + groups({{0, "SPLINE"}, {8, "W"}, {71, 3}, {40, 0}, {10, 0}, {20, 0}})), "control points"}}) {
+    const std::string error = error_of(c.text);
+    EXPECT_NE(error.find(c.words), std::string::npos) << error;
+    EXPECT_EQ(error.find("dir/plan.dxf"), 0u) << error;
+    EXPECT_EQ(error.find('\n'), std::string::npos);
+  }
+}
+
+TEST(FloorPlan, LayerNamesOfOldAndNewFiles) {
+  const FloorPlan plan = plan_of(entities(hall + line("B\xC3\xB6" "den", 0, 0, 1000, 5) + line("T\xFCr", 0, 0, 1000, 6) + line("Stra\\U+00DFe", 0, 0, 1000, 7)));
+  EXPECT_SAYS(plan, "1 LINE on B\xC3\xB6" "den");
+  EXPECT_SAYS(plan, "1 LINE on T\xC3\xBCr");
+  EXPECT_SAYS(plan, "1 LINE on Stra\xC3\x9F" "e");
+}
+
+/// Outside drawings.
+class OutsideDrawings : public testing::Test {
+ protected:
+  static std::string read(const char* file) {
+    const char* data = std::getenv("WAYWRIGHT_TEST_DATA");
+    if (data == nullptr) return {};
+    std::ifstream in{fs::path{data} / "dxf" / file, std::ios::binary};
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+  }
+};
+#define READ_OR_SKIP(text, file)                                                                     \
+  const std::string text = read(file);                                                               \
+  if (text.empty()) GTEST_SKIP() << "no outside data (WAYWRIGHT_TEST_DATA): " << (file)
+
+Box box_of(const FloorPlan& plan) {
+  std::vector<Vec2> all;
+  for (const auto* lists : {&plan.obstacles, &plan.lines}) {
+    for (const auto& list : *lists) all.insert(all.end(), list.begin(), list.end());
+  }
+  return bounding_box(all);
+}
+
+TEST_F(OutsideDrawings, AHouseDrawnInInchesThatSaysMillimetres) {
+  READ_OR_SKIP(text, "floorplan.dxf");
+  const std::string error = error_of(text);
+  EXPECT_NE(error.find("this hall would be 0.803 m wide"), std::string::npos) << error;
+  EXPECT_NE(error.find("20.4 m in in"), std::string::npos) << error;
+  Options options;
+  options.unit = "in";
+  const FloorPlan plan = plan_of(text, options);
+  EXPECT_SAYS(plan, "168 LINE and 7 LWPOLYLINE on xref-Bishop-Overland-08$0$A-WALL");
+  EXPECT_SAYS(plan, "63 DIMENSION, 13 HATCH");
+  options.obstacle_layers = {"xref-Bishop-Overland-08$0$A-GARAGE-DOOR"};
+  const FloorPlan door = plan_of(text, options);
+  const Vec2 size = box_of(door).high - box_of(door).low;
+  EXPECT_NEAR(std::max(size.x, size.y), 16 * 0.3048, 0.01);  // a door of 16 ft
+}
+
+TEST_F(OutsideDrawings, APlateInTheOldestFormat) {
+  READ_OR_SKIP(text, "issue42.dxf");
+  EXPECT_NE(error_of(text).find("names no unit"), std::string::npos);
+  Options options;
+  options.unit = "mm";
+  options.tolerance = 1e-5;
+  const FloorPlan plan = plan_of(text, options);
+  const Vec2 size = box_of(plan).high - box_of(plan).low;
+  EXPECT_NEAR(size.x, 0.284, 1e-4);
+  EXPECT_NEAR(size.y, 0.208, 1e-4);
+  EXPECT_SAYS(plan, "11 CIRCLE, 10 LINE, 6 ARC and 1 POLYLINE on 0");
+  EXPECT_SAYS(plan, "13 DIMENSION on ADSK_CONSTRAINTS");
+}
+
+TEST_F(OutsideDrawings, ABlockTurnedAndStretched) {
+  READ_OR_SKIP(text, "blocks1.dxf");
+  Options options;
+  options.unit = "mm";
+  options.tolerance = 1e-5;
+  const FloorPlan plan = plan_of(text, options);
+  // The header's own extent of the drawing.
+  const Box box = box_of(plan);
+  EXPECT_NEAR(box.low.x, -0.01121320343559643, 1e-5);
+  EXPECT_NEAR(box.low.y, 0.01483563916494109, 1e-5);
+  EXPECT_NEAR(box.high.x, 0.1326414252294443, 1e-5);
+  EXPECT_NEAR(box.high.y, 0.1177817459305202, 1e-5);
+  ASSERT_EQ(plan.obstacles.size(), 2u);
+  EXPECT_NEAR(signed_area(plan.obstacles[1]) / signed_area(plan.obstacles[0]), 2.0, 0.01);  // the circle became an ellipse twice as long
+}
+
+TEST_F(OutsideDrawings, AClosedAndAnOpenPolyline) {
+  READ_OR_SKIP(text, "lwpolylines.dxf");
+  Options options;
+  options.unit = "mm";
+  const FloorPlan plan = plan_of(text, options);
+  EXPECT_EQ(plan.obstacles.size(), 1u);
+  EXPECT_EQ(plan.lines.size(), 1u);
+  EXPECT_NEAR(box_of(plan).high.x, 0.080, 1e-6);
+  EXPECT_NEAR(box_of(plan).high.y, 0.120, 1e-6);
+}
+
+TEST_F(OutsideDrawings, EveryKindOfEntity) {
+  READ_OR_SKIP(text, "entities.dxf");
+  Options options;
+  options.unit = "mm";
+  const FloorPlan plan = plan_of(text, options);
+  EXPECT_SAYS(plan, "29 LINE and 29 LWPOLYLINE on boxes");
+  EXPECT_SAYS(plan, "14 ARC, 12 LINE, 9 CIRCLE, 6 SPLINE, 3 ELLIPSE and 3 LWPOLYLINE on entities");
+  options.obstacle_layers = {"boxes"};
+  EXPECT_EQ(plan_of(text, options).obstacles.size(), 29u);
+}
+
+TEST_F(OutsideDrawings, PaperSpaceIsNoObstacle) {
+  READ_OR_SKIP(text, "testModelPaperSpace.dxf");
+  Options options;
+  options.unit = "in";
+  const FloorPlan plan = plan_of(text, options);
+  EXPECT_EQ(plan.obstacles.size(), 0u);  // the circle of the paper
+  EXPECT_EQ(plan.lines.size(), 4u);      // six lines, two of them without length
+  EXPECT_SAYS(plan, "3 entities of paper space");
+  EXPECT_SAYS(plan, "2 entities without length");
+}
+
+TEST(FloorPlan, FullAMillionEntitiesAreReadInSeconds) {
+  TestDrawing drawing;
+  drawing.entities.reserve(80'000'000);
+  for (int i = 0; i < 1'000'000; ++i) drawing.entities += line("W", i % 1000 * 20, i / 1000 * 20, i % 1000 * 20 + 15, i / 1000 * 20 + 10);
+  EXPECT_EQ(plan_of(drawing.text()).lines.size(), 1'000'000u);
+}
+
+}  // namespace
+}  // namespace waywright::dxf

@@ -1,0 +1,23 @@
+// The picture of a map alone, or of two maps on each other.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "waywright/map/map.hpp"
+
+namespace waywright {
+
+struct MapPicture {
+  const Map* map = nullptr;
+  std::string name;                ///< of the map, for the legend
+  const Map* below = nullptr;      ///< another map, drawn in grey under the first; may be none
+  std::string below_name;
+  std::vector<Vec2> pairs;         ///< where points of the map should lie; their residuals are those of the map's alignment
+};
+
+/// An SVG about `width` pixels wide, with coordinates and a legend.
+std::string map_svg(const MapPicture& picture, double width);
+
+}  // namespace waywright
