@@ -296,6 +296,9 @@ TEST_F(Files, RosHeadersAreReadStrictly) {
   EXPECT_EQ(sentence("free_thresh: .nan\n"), "free_thresh: \".nan\" is not a number that can be used (a number, 0 to 1)");
   fs::remove(folder_ / "m.pgm");
   EXPECT_NE(sentence("").find("image: "), std::string::npos);
+  // A name that no file system takes.
+  put("m.yaml", "image: " + std::string(300, 'x') + "\nresolution: 0.05\norigin: [0, 0, 0]\n");
+  EXPECT_EQ(load_ros_map(folder_ / "m.yaml", false).error().field, "image");
 }
 
 TEST_F(Files, PairsOfAMirroredMapAreRefused) {

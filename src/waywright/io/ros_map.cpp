@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "waywright/io/files.hpp"
@@ -232,7 +233,8 @@ Parsed<LoadedGrid> load_ros_map(const fs::path& yaml, bool unknown_is_free) {
   if (!bytes) {
     // A file that is not there is the yaml's matter; what is wrong inside it is its own.
     InputError error = bytes.error();
-    if (!fs::is_regular_file(image_path)) error = {yaml.string(), "image", error.file + ": " + error.problem, error.allowed};
+    std::error_code unusable;  // a name that is too long, say
+    if (!fs::is_regular_file(image_path, unusable)) error = {yaml.string(), "image", error.file + ": " + error.problem, error.allowed};
     return tl::unexpected{error};
   }
   auto image = decode_image(*bytes, image_path.string());
