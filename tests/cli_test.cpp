@@ -296,6 +296,40 @@ TEST_F(CommandLine, UsageErrorsAreOneSentence) {
   refused(run("plan " + example("vehicles")), {"folder"});
 }
 
+TEST_F(CommandLine, TradeOffsAreProvenPlansOfWhichNoneIsBetterInAll) {
+  const Outcome o = run("pareto " + example("waypoints_low.json") + " --set evaluations=10 --points 6 -o front");
+  ASSERT_EQ(o.status, 0) << o.err;
+  std::vector<std::array<double, 3>> all;
+  std::stringstream csv{slurp(folder_ / "front/front.csv")};
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line.substr(0, 33), "number,length,clearance,mean_clea");
+  while (std::getline(csv, line)) {
+    const std::string folder = line.substr(line.rfind(',') + 1);
+    const Json plan = Json::parse(slurp(folder_ / "front" / folder));
+    EXPECT_EQ(plan["status"], "solved");
+    all.push_back({plan["metrics"]["length"].get<double>(), -plan["certificate"]["clearance"].get<double>(), plan["metrics"]["max_curvature"].get<double>()});
+    EXPECT_EQ(run("verify front/" + folder).status, 0);
+  }
+  ASSERT_GE(all.size(), 3U);
+  ASSERT_LE(all.size(), 6U);
+  for (const auto& a : all) {
+    for (const auto& b : all) EXPECT_FALSE(&a != &b && a[0] >= b[0] && a[1] >= b[1] && a[2] >= b[2]);
+  }
+  for (const char* file : {"front.svg", "paths.svg"}) EXPECT_NE(slurp(folder_ / "front" / file).find("<svg"), std::string::npos);
+  refused(run("pareto " + example("dock_middle.json")), {"planner.name", "pattern_docking", "waypoint_clothoid"});
+}
+
+TEST_F(CommandLine, WaypointsArePlannedThroughByWhoCan) {
+  refused(run("plan " + example("waypoints_low.json") + " --planner pattern_docking"), {"planner.name", "pattern_docking does not plan through waypoints", "waypoint_clothoid"});
+  refused(run("compare " + example("waypoints_low.json") + " --planners ompl_rrt_connect"), {"waypoints_low.json", "does not plan through waypoints"});
+  const Outcome o = run("compare " + example("waypoints_low.json") + " --set objective=mdobs,metres --evaluations 300 -o c");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_NE(o.out.find("waypoint_clothoid:objective=mdobs"), std::string::npos);
+  EXPECT_EQ(o.out.find("pattern_docking"), std::string::npos);
+  EXPECT_NE(slurp(folder_ / "c/clearance.svg").find("Clearance along the path"), std::string::npos);
+}
+
 TEST_F(CommandLine, BadScenariosAreOneSentenceThatNamesTheField) {
   struct Case {
     const char* what;

@@ -175,6 +175,7 @@ TEST(MapObjects, CornersAndWholeFootprintAgreeWithTheWorld) {
     objects.measure(poses, FitnessForm::corrected, false, whole);
     EXPECT_EQ(corners.distance, all.distance);
     EXPECT_EQ(corners.depth, all.depth);
+    EXPECT_GT(all.greatest, 5.0);
     for (std::size_t i = 0; i < poses.size(); ++i) {
       EXPECT_EQ(whole.depth[i] > 0.0, problem.world().clearance(problem.footprint(), poses[i], 1.0).clearance == 0.0);
       EXPECT_GE(whole.depth[i], corners.depth[i]);

@@ -9,7 +9,13 @@
 namespace waywright::app {
 
 int pareto(const ParetoArguments& arguments) {
-  auto loaded = load(arguments.plan.scenario, [&](Scenario& scenario) { return apply(arguments.plan, scenario); });
+  auto loaded = load(arguments.plan.scenario, [&](Scenario& scenario) -> Parsed<void> {
+    if (auto can = check_pareto(scenario); !can) {
+      can.error().file = arguments.plan.scenario.string();
+      return can;
+    }
+    return apply(arguments.plan, scenario);
+  });
   if (!loaded) return complain(loaded.error());
   const Problem& problem = loaded->problem;
   const Scenario& scenario = problem.scenario();

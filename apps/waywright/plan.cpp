@@ -26,6 +26,10 @@ Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario) {
   }
   auto complete = complete_parameters(scenario.planner);
   if (complete) {
+    if (auto takes = check_mission(scenario.planner.name, scenario); !takes) {
+      takes.error().file = arguments.scenario.string();
+      return takes;
+    }
     auto kept = check_budget(scenario.planner.name, *complete, scenario.budget);
     if (!kept) kept.error().file = arguments.scenario.string();
     return kept;

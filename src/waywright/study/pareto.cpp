@@ -71,11 +71,14 @@ std::vector<std::size_t> spread(const std::vector<FrontPoint>& front, std::size_
 
 }  // namespace
 
+Parsed<void> check_pareto(const Scenario& scenario) {
+  if (scenario.planner.name == "waypoint_clothoid") return {};
+  return tl::unexpected{InputError{"", "planner.name", fmt::format("{} has no candidates to trade against each other", scenario.planner.name), "waypoint_clothoid"}};
+}
+
 Parsed<Front> pareto(const Problem& problem, const ParetoOptions& options) {
   const Scenario& scenario = problem.scenario();
-  if (scenario.planner.name != "waypoint_clothoid") {
-    return tl::unexpected{InputError{"", "planner.name", fmt::format("{} has no candidates to trade against each other", scenario.planner.name), "waypoint_clothoid"}};
-  }
+  if (auto can = check_pareto(scenario); !can) return tl::unexpected{can.error()};
   auto parameters = complete_parameters(scenario.planner);
   if (!parameters) return tl::unexpected{parameters.error()};
   const WaypointOptions waypoint = waypoint_options(*parameters);

@@ -25,7 +25,10 @@ struct Front {
   bool is_cut_short = false;
 };
 
-/// Error where the scenario's planner has no candidates to trade (only waypoint_clothoid has), or its parameters are wrong.
+/// Has the scenario's planner candidates to trade? Only waypoint_clothoid has.
+Parsed<void> check_pareto(const Scenario& scenario);
+
+/// Error where it has not, or its parameters are wrong.
 Parsed<Front> pareto(const Problem& problem, const ParetoOptions& options);
 
 /// As a table for a terminal, and one line a plan for a CSV (length, clearance, curvature, …).

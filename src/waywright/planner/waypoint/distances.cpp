@@ -44,6 +44,7 @@ MapObjects::MapObjects(const Problem& problem) : problem_{problem} {
     if (objects_.size() <= s.source) objects_.resize(s.source + 1);
     objects_[s.source].edges.push_back(s);
   }
+  // Inside or not and how far is asked of the world; objects are gone through for depth and for the greatest distance.
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     Object& object = objects_[i];
     object.is_boundary = world.is_boundary(i);
@@ -69,48 +70,51 @@ MapObjects::Corner MapObjects::corner_against(const Object& object, Vec2 corner)
   return d >= radius_ ? Corner{d - radius_, 0.0} : Corner{0.0, radius_ - d};
 }
 
+/// How deep a corner that the world calls in contact is in any object.
+double MapObjects::corner_depth(Vec2 corner) const {
+  double deepest = 0.0;
+  for (const Object& object : objects_) {
+    if (!object.is_boundary && squared_distance(object.box, corner) > radius_ * radius_) continue;
+    deepest = std::max(deepest, corner_against(object, corner).depth);
+  }
+  return deepest;
+}
+
 void MapObjects::measure_corners(const Pose& pose, bool wants_greatest, TrajectoryMeasures& measures) const {
   const Frame frame{pose};
-  double least = std::numeric_limits<double>::infinity();
+  double least = reference_;
   double deepest = 0.0;
   for (const Vec2 corner : corners_) {
     const Vec2 at = frame.to_world(corner);
-    for (const Object& object : objects_) {
-      if (!wants_greatest && !object.is_boundary) {
-        const double away = squared_distance(object.box, at);
-        const double reach = least + radius_;
-        if (away >= reach * reach && away > radius_ * radius_) continue;  // nearer than none before, and not in contact
-      }
-      const auto [d, depth] = corner_against(object, at);
-      least = std::min(least, d);
-      deepest = std::max(deepest, depth);
-      measures.greatest = std::max(measures.greatest, d);
-    }
+    const double d = problem_.world().clearance(std::span{&at, 1}, radius_, std::max(least, 1e-9)).clearance;
+    least = std::min(least, d);
+    if (d <= 0.0) deepest = std::max(deepest, corner_depth(at));
+    if (!wants_greatest) continue;
+    for (const Object& object : objects_) measures.greatest = std::max(measures.greatest, corner_against(object, at).distance);
   }
-  measures.distance.push_back(std::isfinite(least) ? least : reference_);
-  measures.depth.push_back(deepest);
+  measures.distance.push_back(least);
+  measures.depth.push_back(least > 0.0 ? 0.0 : std::max(deepest, least_depth));
 }
 
 double MapObjects::depth_of(const Pose& pose) const {
   const Frame frame{pose};
   double deepest = least_depth;
-  for (const Object& object : objects_) {
-    for (const Vec2 corner : corners_) {
-      const Vec2 at = frame.to_world(corner);
-      if (!object.is_boundary && squared_distance(object.box, at) > radius_ * radius_) continue;
-      deepest = std::max(deepest, corner_against(object, at).depth);
-    }
-    if (radius_ > 0.0 || object.is_boundary) continue;
-    for (const Segment& edge : object.edges) {
-      const Vec2 local = frame.to_local(edge.a);
-      if (!contains(corners_, local)) continue;
-      double depth = std::numeric_limits<double>::infinity();
-      for (std::size_t i = 0; i < corners_.size(); ++i) {
-        depth = std::min(depth, point_segment_distance(local, corners_[i], corners_[(i + 1) % corners_.size()]));
-      }
-      deepest = std::max(deepest, depth);
-    }
+  for (const Vec2 corner : corners_) {
+    const Vec2 at = frame.to_world(corner);
+    if (problem_.world().clearance(std::span{&at, 1}, radius_, 1e-9).clearance <= 0.0) deepest = std::max(deepest, corner_depth(at));
   }
+  if (radius_ > 0.0) return deepest;
+  // Ends of edges in the footprint.
+  problem_.world().index().visit(pose.position(), problem_.footprint().radius(), [&](const Segment& edge) {
+    if (problem_.world().is_boundary(edge.source)) return;
+    const Vec2 local = frame.to_local(edge.a);
+    if (!contains(corners_, local)) return;
+    double depth = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      depth = std::min(depth, point_segment_distance(local, corners_[i], corners_[(i + 1) % corners_.size()]));
+    }
+    deepest = std::max(deepest, depth);
+  });
   return deepest;
 }
 

@@ -35,6 +35,7 @@ class MapObjects {
   struct Corner {
     double distance, depth;
   };
+  double corner_depth(Vec2 corner) const;
   Corner corner_against(const Object& object, Vec2 corner) const;
   void measure_corners(const Pose& pose, bool wants_greatest, TrajectoryMeasures& measures) const;
 
