@@ -1,10 +1,9 @@
 // The G1 Hermite problem by clothoids: Bertolazzi and Frego 2015. With the chord as unit and x axis, headings φ0 and φ1 against it and δ = φ1 − φ0, the
 // phase is P(τ) = Aτ² + (δ − A)τ + φ0 over τ in [0, 1], and A is a root of ∫ sin P for which ∫ cos P, the chord over the length, is positive.
-#include <array>
 #include <cmath>
 
 #include "waywright/curve/clothoid.hpp"
-#include "waywright/curve/gauss.hpp"
+#include "waywright/curve/lanes/kernels.hpp"
 
 namespace waywright {
 namespace {
@@ -13,40 +12,12 @@ constexpr int most_steps = 12;
 constexpr double near_root = 1e-6;   // of ∫ sin P, from where one more step is enough: the error is squared
 constexpr double least_share = 0.02;  // chord over length: curves longer than 50 chords come of both headings pointing back, one as −π, one as π
 
-struct Moments {
-  double along = 0.0;          // ∫ cos P
-  double across = 0.0;         // ∫ sin P
-  double along_slope = 0.0;    // d/dA of both
-  double across_slope = 0.0;
-};
-
-template <std::size_t n>
-void add_panel(double a, double delta, double phi0, double begin, double end, const GaussHalf<n>& rule, Moments& sum) {
-  const double half = 0.5 * (end - begin);
-  const double middle = 0.5 * (begin + end);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (const double t : {middle - half * rule.node[i], middle + half * rule.node[i]}) {
-      const SinCos p = sin_cos(phi0 + t * (delta - a + a * t));
-      const double w = half * rule.weight[i];
-      const double bulge = t * t - t;
-      sum.along += w * p.cos;
-      sum.across += w * p.sin;
-      sum.along_slope -= w * p.sin * bulge;
-      sum.across_slope += w * p.cos * bulge;
-    }
-  }
-}
+using clothoid_lanes::Moments;
 
 Moments moments(double a, double delta, double phi0) {
+  static const clothoid_lanes::Kernels& kernels = clothoid_lanes::best();
   const double turning = std::abs(delta) + std::abs(a);  // at least the greatest slope of the phase
-  Moments sum;
-  if (turning <= 1.0) {
-    add_panel(a, delta, phi0, 0.0, 1.0, gauss_8, sum);
-    return sum;
-  }
-  const auto panels = static_cast<int>(std::ceil(turning / 8.0));
-  for (int i = 0; i < panels; ++i) add_panel(a, delta, phi0, static_cast<double>(i) / panels, static_cast<double>(i + 1) / panels, gauss_16, sum);
-  return sum;
+  return kernels.moments(a, delta, phi0, turning <= 1.0 ? 0 : static_cast<int>(std::ceil(turning / 8.0)));
 }
 
 /// Of the publication: a polynomial near the root everywhere.

@@ -74,7 +74,7 @@ Residual residual(const Task& task, const Unknowns& x) {
       const double half = 0.5 * share / panels;
       const double middle = ends[i] + (2.0 * k + 1.0) * half;
       const auto all = [&](const auto& rule) {
-        for (std::size_t n = 0; n < rule.node.size(); ++n) {
+        for (std::size_t n = 0; n < rule.size; ++n) {
           add(middle - half * rule.node[n], half * rule.weight[n]);
           add(middle + half * rule.node[n], half * rule.weight[n]);
         }

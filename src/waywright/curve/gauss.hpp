@@ -1,7 +1,6 @@
 // Gauss–Legendre rules on [−1, 1] (Abramowitz & Stegun, table 25.4).
 #pragma once
 
-#include <array>
 #include <cstddef>
 
 namespace waywright {
@@ -9,7 +8,8 @@ namespace waywright {
 /// Positive half of a rule with 2n points; its other half is the mirror image with the same weights.
 template <std::size_t n>
 struct GaussHalf {
-  std::array<double, n> node, weight;
+  static constexpr std::size_t size = n;
+  double node[n], weight[n];
 };
 
 inline constexpr GaussHalf<4> gauss_8{{0.1834346424956498049, 0.5255324099163289859, 0.7966664774136267396, 0.9602898564975362317},

@@ -1,0 +1,57 @@
+#include "waywright/curve/lanes/kernels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "waywright/core/random.hpp"
+
+namespace waywright {
+namespace {
+
+using clothoid_lanes::Kernels;
+using clothoid_lanes::Moments;
+
+TEST(ClothoidLanes, EveryInstructionSetGivesTheSameBits) {
+  Random random{1};
+  for (int i = 0; i < 20'000; ++i) {
+    const double a = random.uniform(-25, 25), delta = random.uniform(-13, 13), phi0 = random.uniform(-4, 4);
+    const int panels = static_cast<int>(random.integer(0, 5));
+    const Moments first = clothoid_lanes::available().front().moments(a, delta, phi0, panels);
+    for (const Kernels& k : clothoid_lanes::available()) {
+      const Moments m = k.moments(a, delta, phi0, panels);
+      EXPECT_EQ(m.along, first.along) << k.name;
+      EXPECT_EQ(m.across, first.across) << k.name;
+      EXPECT_EQ(m.along_slope, first.along_slope) << k.name;
+      EXPECT_EQ(m.across_slope, first.across_slope) << k.name;
+    }
+  }
+}
+
+TEST(ClothoidLanes, MomentsAreTheIntegrals) {
+  Random random{2};
+  for (int i = 0; i < 200; ++i) {
+    const double a = random.uniform(-20, 20), delta = random.uniform(-7, 7), phi0 = random.uniform(-4, 4);
+    const int panels = static_cast<int>(std::ceil((std::abs(a) + std::abs(delta)) / 8.0));
+    const Moments m = clothoid_lanes::best().moments(a, delta, phi0, panels);
+    // Simpson's rule in long double.
+    constexpr int n = 4000;
+    long double along = 0, across = 0, along_slope = 0, across_slope = 0;
+    for (int k = 0; k <= 2 * n; ++k) {
+      const long double t = static_cast<long double>(k) / (2 * n);
+      const long double w = (k == 0 || k == 2 * n ? 1.0L : k % 2 == 1 ? 4.0L : 2.0L) / (6.0L * n);
+      const long double phase = static_cast<long double>(a) * t * t + (static_cast<long double>(delta) - static_cast<long double>(a)) * t + static_cast<long double>(phi0);
+      along += w * std::cos(phase);
+      across += w * std::sin(phase);
+      along_slope -= w * std::sin(phase) * (t * t - t);
+      across_slope += w * std::cos(phase) * (t * t - t);
+    }
+    EXPECT_NEAR(m.along, static_cast<double>(along), 1e-11);
+    EXPECT_NEAR(m.across, static_cast<double>(across), 1e-11);
+    EXPECT_NEAR(m.along_slope, static_cast<double>(along_slope), 1e-11);
+    EXPECT_NEAR(m.across_slope, static_cast<double>(across_slope), 1e-11);
+  }
+}
+
+}  // namespace
+}  // namespace waywright
