@@ -4,8 +4,11 @@
 #include <cstdio>
 
 #include "bench/docking_scene.hpp"
+#include "bench/yardstick/plain_waypoints.hpp"
 #include "waywright/planner/docking/candidate.hpp"
 #include "waywright/proof/collision.hpp"
+#include "waywright/curve/clothoid.hpp"
+#include "waywright/planner/waypoint/distances.hpp"
 
 namespace waywright {
 namespace {
@@ -71,6 +74,68 @@ void run(int count) {
 
 TEST(Yardstick, SameVerdictOnRandomCandidates) { run(4000); }
 TEST(Yardstick, SameVerdictOnRandomCandidatesFull) { run(100000); }
+
+// Distances of whole footprints among rings, against plain loops: what only crosses sides with sides the loops do not see.
+TEST(Yardstick, SaysTheSameOfDistancesAlongTrajectories) {
+  Random random{31};
+  int contacts = 0, crossings = 0;
+  for (int map = 0; map < 40; ++map) {
+    Scenario s;
+    s.map.boundaries = {rectangle({-6, -5}, {6, 5})};
+    for (int i = 0; i < 12; ++i) {
+      const Pose at{random.uniform(-5, 5), random.uniform(-4, 4), random.uniform(-pi, pi)};
+      s.map.obstacles.push_back(transformed(rectangle({-random.uniform(0.1, 0.8), -0.2}, {random.uniform(0.1, 0.8), 0.3}), Frame{at}));
+    }
+    s.vehicle.footprint.polygon = {{-0.9, -0.275}, {0.9, -0.275}, {0.9, 0.275}, {-0.9, 0.275}};
+    s.vehicle.drive = Differential{0.45};
+    s.mission = Pose{1, 0, 0};
+    const Problem problem = Problem::prepare(s).value();
+    yardstick::Hall hall;
+    const auto add = [](const Ring& ring) {
+      yardstick::Polygon polygon;
+      for (const Vec2 p : ring) polygon.emplace_back(p.x, p.y);
+      return polygon;
+    };
+    hall.footprint = add(s.vehicle.footprint.polygon);
+    hall.objects.push_back(add(s.map.boundaries.front()));
+    for (const Ring& ring : s.map.obstacles) hall.objects.push_back(add(ring));
+    std::vector<Pose> poses;
+    std::vector<yardstick::Pose> plain;
+    for (int i = 0; i < 100; ++i) {
+      poses.push_back({random.uniform(-5, 5), random.uniform(-4, 4), random.uniform(-pi, pi)});
+      plain.push_back({poses.back().x, poses.back().y, poses.back().heading});
+    }
+    TrajectoryMeasures ours;
+    MapObjects{problem}.measure(poses, FitnessForm::corrected, false, ours);
+    const yardstick::Distances loops = yardstick::distances_plain(hall, plain), boxes = yardstick::distances_boxes_first(hall, plain);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      EXPECT_EQ(boxes.distance[i], loops.distance[i]);
+      if (ours.distance[i] > 0.0 || loops.distance[i] == 0.0) {
+        EXPECT_NEAR(ours.distance[i], std::min(loops.distance[i], ours.reference), 1e-9);
+        contacts += loops.distance[i] == 0.0;
+        if (loops.depth[i] > 1e-5) {
+          EXPECT_NEAR(ours.depth[i], loops.depth[i], 1e-9);
+        }
+      } else {
+        ++crossings;
+      }
+    }
+  }
+  EXPECT_GT(contacts, 500);
+  EXPECT_LT(crossings, 400);
+}
+
+TEST(Yardstick, FitsTheSameClothoids) {
+  Random random{32};
+  for (int i = 0; i < 2000; ++i) {
+    const Pose a{random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-3, 3)}, b{random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-3, 3)};
+    const auto ours = fit_clothoid(a, b);
+    const yardstick::FittedClothoid textbook = yardstick::fit_textbook({a.x, a.y, a.heading}, {b.x, b.y, b.heading});
+    ASSERT_TRUE(ours);
+    if (!(textbook.length < 40.0 * distance(a.position(), b.position()))) continue;  // there another turning is taken
+    EXPECT_NEAR(ours->length, textbook.length, 1e-6 * ours->length);
+  }
+}
 
 }  // namespace
 }  // namespace waywright
