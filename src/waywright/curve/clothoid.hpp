@@ -15,8 +15,8 @@ double greatest_curvature(const Clothoid& clothoid);
 /// θ(s), rad, continuous (not wrapped).
 double course_at(const Clothoid& clothoid, double s);
 
-/// The clothoid after `s` metres; s outside [0, length] continues it. Error of the position: under 1e-15 of |s| and 1e-15 of the coordinates for
-/// each radian of turning, at least one of both (Gauss–Legendre on panels whose phase is bounded).
+/// The clothoid after `s` metres; s outside [0, length] continues it. Error of the position: under 2e-14 of |s| (Gauss–Legendre on
+/// panels whose phase is bounded), and what rounding of the course, 1e-16 of it, does over |s|.
 CurvePoint evaluate(const Clothoid& clothoid, double s);
 
 /// The same for many places of one clothoid: what was integrated before is kept.

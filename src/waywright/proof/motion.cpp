@@ -67,6 +67,7 @@ MotionInterval MotionInterval::of(const Clothoid& clothoid, int direction) {
   MotionInterval interval = straight(vehicle_pose(a.position, a.course, direction), vehicle_pose(b.position, b.course, direction), direction);
   interval.end_.heading = interval.begin_.heading + clothoid.length * (clothoid.curvature + 0.5 * clothoid.curvature_rate * clothoid.length);
   interval.curve_ = clothoid;
+  interval.whole_length_ = clothoid.length;
   return interval;
 }
 
@@ -175,6 +176,7 @@ MotionHalves::MotionHalves(const MotionInterval& whole) : left{whole}, right{who
     second.curvature = c->curvature + c->curvature_rate * half;
     left = MotionInterval::of(first, whole.direction_);
     right = MotionInterval::of(second, whole.direction_);
+    left.whole_length_ = right.whole_length_ = whole.whole_length_;
   } else {
     left.end_ = right.begin_ =
         make_pose(0.5 * (whole.begin_.position() + whole.end_.position()), 0.5 * (whole.begin_.heading + whole.end_.heading));
@@ -192,8 +194,8 @@ bool MotionInterval::is_translation() const { return std::holds_alternative<Stra
 double MotionInterval::rounding(double radius) const {
   double reach = std::max({std::abs(begin_.x), std::abs(begin_.y), std::abs(end_.x), std::abs(end_.y)});
   double heading = unit_roundoff * std::max(std::abs(begin_.heading), std::abs(end_.heading));
-  // Rounding of a course is as long as the way from there.
-  if (const auto* c = std::get_if<Clothoid>(&curve_)) reach += c->length * (1.0 + 0.1 * std::max(std::abs(begin_.heading), std::abs(end_.heading)));
+  // Of an integral 2e-14 of the way, and what a rounded course does over it.
+  if (std::holds_alternative<Clothoid>(curve_)) reach += whole_length_ * (3.0 + 0.1 * std::max(std::abs(begin_.heading), std::abs(end_.heading)));
   if (const BoundedSpan* p = span()) {
     // Control points are rounded at each halving, and a tangent is their difference. Without a bound on speed there is none on turning.
     for (std::size_t i = 0; i <= static_cast<std::size_t>(p->span.degree); ++i) {

@@ -64,6 +64,7 @@ class MotionInterval {
   Pose end_{};
   int direction_ = 1;
   int depth_ = 0;
+  double whole_length_ = 0.0;  // m, of the clothoid that this was halved from: errors of its integrals add up to a share of it
   std::variant<Straight, Clothoid, const BoundedSpan*> curve_;  ///< an arc is a clothoid whose curvature stays
 };
 
