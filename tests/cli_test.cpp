@@ -297,7 +297,7 @@ TEST_F(CommandLine, UsageErrorsAreOneSentence) {
 }
 
 TEST_F(CommandLine, TradeOffsAreProvenPlansOfWhichNoneIsBetterInAll) {
-  const Outcome o = run("pareto " + example("waypoints_low.json") + " --set evaluations=10 --points 6 -o front");
+  const Outcome o = run("pareto " + example("waypoints_low.json") + " --set evaluations=3000 --points 6 -o front");
   ASSERT_EQ(o.status, 0) << o.err;
   std::vector<std::array<double, 3>> all;
   std::stringstream csv{slurp(folder_ / "front/front.csv")};

@@ -86,7 +86,8 @@ Parsed<Front> pareto(const Problem& problem, const ParetoOptions& options) {
   Budget budget{scenario.budget, options.cancel};
   WaypointCandidates candidates{problem, waypoint};
   SearchOptions search;
-  search.evaluations = scenario.budget.evaluations.value_or(options.evaluations);
+  const bool names_evaluations = scenario.planner.parameters.contains("evaluations");
+  search.evaluations = scenario.budget.evaluations.value_or(names_evaluations ? waypoint.evaluations : options.evaluations);
   search.population = options.population;
   search.seed = scenario.seed;
   const std::vector<FrontPoint> found = search_front(

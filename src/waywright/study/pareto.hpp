@@ -11,7 +11,7 @@
 namespace waywright {
 
 struct ParetoOptions {
-  std::int64_t evaluations = 8000;
+  std::int64_t evaluations = 8000;  ///< where neither budget nor planner name them
   int population = 60;
   std::size_t points = 12;  ///< plans of the front, at most
   const std::atomic<bool>* cancel = nullptr;

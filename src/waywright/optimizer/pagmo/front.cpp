@@ -14,6 +14,8 @@ namespace {
 
 constexpr double infeasible = 1e6;  // what each objective has in addition where a point is not feasible
 
+constexpr std::size_t most_kept = 4000;  // points of a front: enough for any picture, and comparing with all of them stays quick
+
 struct BudgetSpent : std::exception {};
 
 bool dominates(const std::array<double, 3>& a, const std::array<double, 3>& b) {
@@ -51,7 +53,7 @@ struct Recorder {
       if (p.objectives == objectives || dominates(p.objectives, objectives)) return;
     }
     std::erase_if(front, [&](const FrontPoint& p) { return dominates(objectives, p.objectives); });
-    front.push_back({x, objectives});
+    if (front.size() < most_kept) front.push_back({x, objectives});
   }
 };
 

@@ -20,8 +20,8 @@ struct FrontPoint {
   std::array<double, 3> objectives{};
 };
 
-/// Every feasible point that was evaluated and is no worse in all objectives than any other: NSGA-II (Deb et al. 2002, pagmo's). In order of the first
-/// objective. The same cost function, space, options: the same front.
+/// Feasible points that were evaluated, none of which is better in all objectives than another, at most 4000: NSGA-II (Deb et al. 2002, pagmo's). In order of
+/// the first objective. The same cost function, space, options: the same front.
 std::vector<FrontPoint> search_front(const std::function<TradeOff(std::span<const double>)>& cost, const SearchSpace& space, const SearchOptions& options, Budget& budget);
 
 }  // namespace waywright
