@@ -6,7 +6,9 @@
 #include "waywright/core/random.hpp"
 #include "waywright/curve/clothoid.hpp"
 #include "waywright/io/scenario_io.hpp"
+#include "waywright/planner/registry.hpp"
 #include "waywright/planner/waypoint/candidates.hpp"
+#include "waywright/proof/proof.hpp"
 
 namespace waywright {
 namespace {
@@ -97,20 +99,112 @@ TEST(Fitness, AnyContactIsAtLeastOneAndAnyFreePathUnder) {
   const WaypointOptions options = published();
   WaypointCandidates candidates{problem, options};
   Random random{1};
-  int contacts = 0;
+  int contacts = 0, free = 0;
   for (int i = 0; i < 300; ++i) {
     std::vector<double> x;
     for (int k = 0; k < 3; ++k) x.push_back(random.uniform(-0.2, 1.4));
+    if (i == 0) x = {22.5 * pi / 180, 36.0 * pi / 180, 23.0 * pi / 180};  // free at its corners
     const auto chain = candidates.chain_at(x);
     ASSERT_TRUE(chain);
     for (const FitnessForm form : {FitnessForm::published, FitnessForm::corrected}) {
       const TrajectoryMeasures m = candidates.measures_of(*chain, form, true);
       const double value = fitness_of(Fitness::pwavg, form, m);
       contacts += poses_in_contact(m) > 0;
+      free += poses_in_contact(m) == 0;
       EXPECT_EQ(value >= 1.0, poses_in_contact(m) > 0) << value;
     }
   }
   EXPECT_GT(contacts, 0);
+  EXPECT_GT(free, 0);
+}
+
+Proof proof_of(const Path& path, std::vector<Vec2> waypoints, double radius) {
+  Scenario s;
+  s.vehicle.footprint.disc = 0.1;
+  s.vehicle.drive = Differential{0.4};
+  s.start = start_pose(path);
+  s.mission = end_pose(path);
+  s.waypoints = std::move(waypoints);
+  s.waypoint_radius = radius;
+  return prove(Problem::prepare(s).value(), path);
+}
+
+TEST(Passing, HoldsAPathToItsWaypointsInOrder) {
+  const Path straight{{Piece{Line{{0, 0}, {10, 0}}, 1}}};
+  EXPECT_TRUE(proof_of(straight, {{3, 0}, {7, 0}}, 0.0).holds());
+  EXPECT_FALSE(proof_of(straight, {{7, 0}, {3, 0}}, 0.0).holds());
+  EXPECT_TRUE(proof_of(straight, {{3, 0.1}}, 0.1).holds());
+  const Proof missed = proof_of(straight, {{5, 0.5}}, 0.1);
+  ASSERT_EQ(missed.violations.size(), 1U);
+  EXPECT_NE(missed.violations.front().sentence.find("as near as about 0.500 m, and 0.100 m are allowed"), std::string::npos) << missed.violations.front().sentence;
+  Random random{5};
+  for (int i = 0; i < 100; ++i) {
+    std::vector<Pose> poses;
+    for (int k = 0; k < 4; ++k) poses.push_back({3.0 * k, random.uniform(-1, 1), random.uniform(-0.8, 0.8)});
+    const Clothoids chain = *chain_through(poses, Continuity::g2);
+    const Path path = path_of(chain);
+    // Any places along the path, in order; and one a little beside.
+    std::vector<Vec2> places;
+    for (const std::size_t k : {1U, 4U, 7U}) places.push_back(evaluate(chain[k], random.uniform(0.1, 0.9) * chain[k].length).position);
+    EXPECT_TRUE(proof_of(path, places, 0.0).holds());
+    std::vector<Vec2> beside = places;
+    beside[1].y += 0.02;
+    EXPECT_FALSE(proof_of(path, beside, 0.0).holds());
+    EXPECT_TRUE(proof_of(path, beside, 0.02).holds());
+    std::swap(places[0], places[2]);
+    EXPECT_FALSE(proof_of(path, places, 0.0).holds());
+  }
+}
+
+TEST(WaypointRadius, LetsThePathPassBeside) {
+  Scenario s = fixture_scenario("medium");
+  s.waypoint_radius = 0.15;
+  s.planner.parameters["evaluations"] = 3000.0;
+  const Plan plan = *solve(Problem::prepare(s).value());
+  EXPECT_EQ(plan.status, Status::solved) << plan.reason;
+  s.waypoint_radius = 0.0;
+  const Plan exact = *solve(Problem::prepare(s).value());
+  ASSERT_EQ(exact.status, Status::solved) << exact.reason;
+  EXPECT_GT(plan.certificate.clearance, exact.certificate.clearance);
+}
+
+TEST(WaypointClothoid, FindsItsWayAlongManyAndFarWaypoints) {
+  for (const double spacing : {10.0, 30.0, 100.0}) {
+    for (const int count : {2, 8, 20}) {
+      Scenario s;
+      s.vehicle.footprint.polygon = {{-0.9, -0.275}, {0.9, -0.275}, {0.9, 0.275}, {-0.9, 0.275}};
+      s.vehicle.drive = Differential{0.45};
+      s.vehicle.limits.curvature = 1.0;
+      for (int i = 1; i <= count; ++i) s.waypoints.push_back({spacing * i, i % 2 == 0 ? 1.0 : -1.0});
+      s.mission = Pose{spacing * (count + 1), 0, 0};
+      s.planner.name = "waypoint_clothoid";
+      s.planner.parameters["evaluations"] = 400.0;
+      const Plan plan = *solve(Problem::prepare(s).value());
+      EXPECT_EQ(plan.status, Status::solved) << spacing << " " << count << " " << plan.reason;
+    }
+  }
+}
+
+TEST(MapObjects, GridsAreBlockedWhereTheirCellsAre) {
+  Scenario s;
+  CellGrid grid{"hall", 40, 40, 0.25, {0, 0, 0}, std::vector<std::uint8_t>(1600, 0), true};
+  for (int r = 18; r < 22; ++r) {
+    for (int c = 18; c < 22; ++c) grid.blocked[static_cast<std::size_t>(r * 40 + c)] = 1;
+  }
+  s.map.grids.push_back(grid);
+  s.vehicle.footprint.polygon = {{-0.3, -0.2}, {0.3, -0.2}, {0.3, 0.2}, {-0.3, 0.2}};
+  s.vehicle.drive = Differential{0.4};
+  s.start = {2, 2, 0};
+  s.mission = Pose{8, 2, 0};
+  const Problem problem = Problem::prepare(s).value();
+  TrajectoryMeasures m;
+  const std::vector<Pose> poses{{2, 2, 0}, {5, 5, 0}, {9.9, 5, 0}, {4.35, 5, 0}};
+  MapObjects{problem}.measure(poses, FitnessForm::published, false, m);
+  EXPECT_EQ(m.depth[0], 0.0);
+  EXPECT_NEAR(m.distance[0], 1.7, 1e-9);
+  EXPECT_NEAR(m.depth[1], 0.2, 1e-9);  // in the middle of a block of 1 m: corners 0.2 and 0.3 m from its sides
+  EXPECT_NEAR(m.depth[2], 0.2, 1e-9);  // 0.2 m beyond the grid
+  EXPECT_NEAR(m.depth[3], 0.15, 1e-9);
 }
 
 TEST(Chain, IsContinuousAndPassesItsPoses) {

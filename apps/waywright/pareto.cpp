@@ -22,7 +22,9 @@ int pareto(const ParetoArguments& arguments) {
   note_all(scenario.map.notes, {});
   const std::filesystem::path folder = arguments.plan.out.value_or(default_folder((scenario.name.empty() ? arguments.plan.scenario.stem().string() : scenario.name) + "-pareto"));
   if (auto ready = prepare_folder(folder); !ready) return complain(ready.error());
-  if (auto failure = problem.check_ends()) {
+  auto failure = problem.check_ends();
+  if (!failure) failure = problem.check_stop();
+  if (failure) {
     print(fmt::format("{}: {}\n", to_string(failure->status), failure->reason));
     return not_solved;
   }

@@ -9,6 +9,7 @@ namespace waywright {
 namespace {
 
 constexpr int most_steps = 12;
+constexpr double widest = 24.0;       // of A: roots of short curves lie within 3 (|φ0| + |φ1|) ≤ 6π
 constexpr double near_root = 1e-6;   // of ∫ sin P, from where one more step is enough: the error is squared
 constexpr double least_share = 0.02;  // chord over length: curves longer than 50 chords come of both headings pointing back, one as −π, one as π
 
@@ -37,6 +38,7 @@ std::optional<Root> newton(double a, double delta, double phi0) {
     const double step = -m.across / m.across_slope;
     if (!std::isfinite(step)) return std::nullopt;
     a += step;
+    if (!(std::abs(a) <= widest)) return std::nullopt;
     if (std::abs(m.across) > near_root || std::abs(step) > near_root) continue;
     const double share = m.along + m.along_slope * step;
     if (share < least_share) return std::nullopt;
@@ -47,7 +49,6 @@ std::optional<Root> newton(double a, double delta, double phi0) {
 
 /// Where Newton went astray: the root of the greatest share, that is of the shortest clothoid, among those bracketed by a fine grid.
 std::optional<Root> scanned(double delta, double phi0) {
-  constexpr double widest = 24.0;  // no root of a shortest solution lies beyond 3 (|φ0| + |φ1|) ≤ 6π
   constexpr int cells = 480;
   const auto at = [&](int i) { return widest * (2.0 * i / cells - 1.0); };
   std::optional<Root> best;
@@ -101,7 +102,9 @@ std::optional<Clothoid> fit_clothoid(const Pose& from, const Pose& to) {
   }
   if (!fit) return std::nullopt;
   const double length = r / fit->root.share;
-  return Clothoid{from, (fit->delta - fit->root.a) / length, 2.0 * fit->root.a / (length * length), length};
+  const Clothoid clothoid{from, (fit->delta - fit->root.a) / length, 2.0 * fit->root.a / (length * length), length};
+  if (!std::isfinite(clothoid.curvature) || !std::isfinite(clothoid.curvature_rate) || !std::isfinite(length)) return std::nullopt;
+  return clothoid;
 }
 
 }  // namespace waywright

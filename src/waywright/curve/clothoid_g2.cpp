@@ -14,6 +14,7 @@ namespace {
 constexpr double outer = 0.25, inner = 0.5;  // shares of the length
 constexpr int most_steps = 40;
 constexpr double enough = 1e-12;             // of the chord
+constexpr double most_turning = 400.0;       // rad, what the panels are for
 constexpr double longest = 8.0;              // chords: longer ones are loops
 
 /// Integrals over τ of the hat functions of the four knots, up to τ.
@@ -69,7 +70,7 @@ Residual residual(const Task& task, const Unknowns& x) {
   for (std::size_t i = 0; i < 3; ++i) {
     const double share = ends[i + 1] - ends[i];
     const double turn = std::max(std::abs(knots[i]), std::abs(knots[i + 1])) * x.length * share;
-    const int panels = static_cast<int>(std::clamp(std::ceil(turn / 8.0), 1.0, 50.0));
+    const int panels = turn <= most_turning ? static_cast<int>(std::max(1.0, std::ceil(turn / 8.0))) : 1;  // more is refused
     for (int k = 0; k < panels; ++k) {
       const double half = 0.5 * share / panels;
       const double middle = ends[i] + (2.0 * k + 1.0) * half;
@@ -94,9 +95,10 @@ std::optional<ClothoidTriple> fit_clothoids(const CurvaturePose& from, const Cur
   if (!single || !std::isfinite(from.curvature) || !std::isfinite(to.curvature)) return std::nullopt;
   const double chord = distance(from.pose.position(), to.pose.position());
   const Task task{from.pose.heading, course_at(*single, single->length) - from.pose.heading, from.curvature, to.curvature, to.pose.position() - from.pose.position()};
+  if (!(std::max(std::abs(from.curvature), std::abs(to.curvature)) * single->length <= most_turning)) return std::nullopt;
   Unknowns x{single->curvature + single->curvature_rate * outer * single->length, single->length};
   Residual r = residual(task, x);
-  for (int i = 0; norm(r.off) > enough * chord; ++i) {
+  for (int i = 0; !(norm(r.off) <= enough * chord); ++i) {
     const double det = cross(r.by_a, r.by_length);
     if (i == most_steps || !(std::abs(det) > 0.0) || !std::isfinite(det)) return std::nullopt;
     const Unknowns step{-cross(r.off, r.by_length) / det, -cross(r.by_a, r.off) / det};
@@ -117,6 +119,8 @@ std::optional<ClothoidTriple> fit_clothoids(const CurvaturePose& from, const Cur
     }
   }
   const double b = task.b_of(x);
+  const double sharpest = std::max({std::abs(task.k0), std::abs(x.a), std::abs(b), std::abs(task.k1)});
+  if (!(sharpest * x.length <= most_turning)) return std::nullopt;
   const double l0 = outer * x.length, l1 = inner * x.length;
   ClothoidTriple triple;
   triple[0] = {from.pose, task.k0, (x.a - task.k0) / l0, l0};

@@ -84,6 +84,7 @@ TEST(BadScenario, EveryFieldIsRefusedWithItsSentence) {
       {"/waypoints", R"([[1,2],[3]])", R"(waypoints[1]: it has 1 element (allowed: [x, y]))"},
       {"/waypoints", R"(null)", R"(waypoints: it is null (allowed: an array of points [x, y]))"},
       {"/waypoint_radius", "-0.1", "waypoint_radius: -0.1 is out of range (allowed: 0 to 1000)"},
+      {"/waypoint_radius", "0.1", "waypoint_radius: there are no waypoints (allowed: no such field)"},
       {"/station", R"([])", R"(station: it is an array (allowed: an object))"},
       {"/station/area", R"()", R"(station.area: the field is missing (allowed: an array of points [x, y]))"},
       {"/station/area", R"([])", R"(station.area: the polygon is empty (allowed: at least 3 corners [x, y]))"},

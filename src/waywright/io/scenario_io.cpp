@@ -219,7 +219,10 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder, const Site
   read_start(node.at("start"), scenario);
   scenario.mission = read_mission(node, notes);
   if (node.has("waypoints")) scenario.waypoints = read_waypoints(node.at("waypoints"));
-  if (node.has("waypoint_radius")) scenario.waypoint_radius = node.at("waypoint_radius").number(0.0, 1e3);
+  if (node.has("waypoint_radius")) {
+    scenario.waypoint_radius = node.at("waypoint_radius").number(0.0, 1e3);
+    if (scenario.waypoints.empty()) node.at("waypoint_radius").fail("there are no waypoints", "no such field");
+  }
   if (node.has("carried_load")) scenario.carried_load = node.at("carried_load").text();
   if (node.has("clearance")) scenario.clearance = node.at("clearance").number(0.0, 1e3);
   if (node.has("pose_error")) scenario.pose_error = read_pose_error(node.at("pose_error"));

@@ -75,7 +75,7 @@ std::size_t World::add_obstacle(const Ring& ring, std::string name) {
 
 /// The outline between blocked and free cells, straight runs merged: with the inside test it is the exact union of the cells.
 void World::add_grid(const CellGrid& grid) {
-  const std::size_t source = add_source((grid.name.empty() ? std::string{"the grid"} : grid.name) + " (blocked cell)", false, true);
+  const std::size_t source = add_source((grid.name.empty() ? std::string{"the grid"} : grid.name) + " (blocked cell)", false, false);
   grid_sources_.push_back(source);
   const auto id = static_cast<std::uint32_t>(source);
   const auto blocked = [&grid](int column, int row) {

@@ -55,7 +55,7 @@ class World {
 
   const ObstacleIndex& index() const { return index_; }  ///< all edges
 
-  /// Is its inside blocked (obstacles, grids); is its outside (boundaries)? Walls and scan points have neither.
+  /// Is the inside of its ring blocked (obstacles), or the outside (boundaries)? Grids, walls and scan points have no ring.
   bool is_solid(std::size_t source) const { return sources_[source].solid; }
   bool is_boundary(std::size_t source) const { return sources_[source].boundary; }
 

@@ -68,6 +68,7 @@ MotionInterval MotionInterval::of(const Clothoid& clothoid, int direction) {
   interval.end_.heading = interval.begin_.heading + clothoid.length * (clothoid.curvature + 0.5 * clothoid.curvature_rate * clothoid.length);
   interval.curve_ = clothoid;
   interval.whole_length_ = clothoid.length;
+  interval.whole_turning_ = greatest_curvature(clothoid) * clothoid.length + std::abs(clothoid.start.heading);
   return interval;
 }
 
@@ -177,6 +178,7 @@ MotionHalves::MotionHalves(const MotionInterval& whole) : left{whole}, right{who
     left = MotionInterval::of(first, whole.direction_);
     right = MotionInterval::of(second, whole.direction_);
     left.whole_length_ = right.whole_length_ = whole.whole_length_;
+    left.whole_turning_ = right.whole_turning_ = whole.whole_turning_;
   } else {
     left.end_ = right.begin_ =
         make_pose(0.5 * (whole.begin_.position() + whole.end_.position()), 0.5 * (whole.begin_.heading + whole.end_.heading));
@@ -195,7 +197,10 @@ double MotionInterval::rounding(double radius) const {
   double reach = std::max({std::abs(begin_.x), std::abs(begin_.y), std::abs(end_.x), std::abs(end_.y)});
   double heading = unit_roundoff * std::max(std::abs(begin_.heading), std::abs(end_.heading));
   // Of an integral 2e-14 of the way, and what a rounded course does over it.
-  if (std::holds_alternative<Clothoid>(curve_)) reach += whole_length_ * (3.0 + 0.1 * std::max(std::abs(begin_.heading), std::abs(end_.heading)));
+  if (std::holds_alternative<Clothoid>(curve_)) {
+    reach += whole_length_ * (3.0 + 0.1 * whole_turning_);
+    heading += unit_roundoff * whole_turning_;
+  }
   if (const BoundedSpan* p = span()) {
     // Control points are rounded at each halving, and a tangent is their difference. Without a bound on speed there is none on turning.
     for (std::size_t i = 0; i <= static_cast<std::size_t>(p->span.degree); ++i) {

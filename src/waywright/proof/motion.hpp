@@ -64,7 +64,8 @@ class MotionInterval {
   Pose end_{};
   int direction_ = 1;
   int depth_ = 0;
-  double whole_length_ = 0.0;  // m, of the clothoid that this was halved from: errors of its integrals add up to a share of it
+  // Of the clothoid that this was halved from, m and rad: errors of its integrals and courses add up to shares of them.
+  double whole_length_ = 0.0, whole_turning_ = 0.0;
   std::variant<Straight, Clothoid, const BoundedSpan*> curve_;  ///< an arc is a clothoid whose curvature stays
 };
 

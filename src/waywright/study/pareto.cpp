@@ -81,6 +81,11 @@ Parsed<Front> pareto(const Problem& problem, const ParetoOptions& options) {
   if (auto can = check_pareto(scenario); !can) return tl::unexpected{can.error()};
   auto parameters = complete_parameters(scenario.planner);
   if (!parameters) return tl::unexpected{parameters.error()};
+  for (const char* unused : {"objective", "form", "optimizer", "samples", "margin", "clearance_weight", "bend_weight"}) {
+    if (scenario.planner.parameters.contains(unused)) {
+      return tl::unexpected{InputError{"", fmt::format("planner.{}", unused), "it has no part in trading length, clearance and curvature against each other", "no such parameter"}};
+    }
+  }
   const WaypointOptions waypoint = waypoint_options(*parameters);
   Front front;
   Budget budget{scenario.budget, options.cancel};
@@ -88,7 +93,7 @@ Parsed<Front> pareto(const Problem& problem, const ParetoOptions& options) {
   SearchOptions search;
   const bool names_evaluations = scenario.planner.parameters.contains("evaluations");
   search.evaluations = scenario.budget.evaluations.value_or(names_evaluations ? waypoint.evaluations : options.evaluations);
-  search.population = options.population;
+  search.population = scenario.planner.parameters.contains("population") ? waypoint.population : options.population;
   search.seed = scenario.seed;
   const std::vector<FrontPoint> found = search_front(
       [&](std::span<const double> x) {
@@ -98,11 +103,11 @@ Parsed<Front> pareto(const Problem& problem, const ParetoOptions& options) {
       candidates.space(), search, budget);
   front.evaluations = budget.evaluations();
   front.found = found.size();
-  front.is_cut_short = budget.canceled() || budget.cut_short();
   for (const std::size_t i : spread(found, options.points)) {
     const auto chain = candidates.chain_at(found[i].x);
     if (!chain) continue;
-    Plan plan = judge(problem, problem.whole_path(path_of(*chain)));
+    Plan plan = judge(problem, problem.whole_path(path_of(*chain)), options.cancel);
+    if (budget.canceled()) break;
     if (plan.status != Status::solved) {
       ++front.refused;
       continue;
@@ -110,9 +115,10 @@ Parsed<Front> pareto(const Problem& problem, const ParetoOptions& options) {
     plan.planner = scenario.planner.name;
     plan.parameters = *parameters;
     plan.effort.evaluations = front.evaluations;
-    plan.reproducible = !front.is_cut_short;
+    plan.reproducible = !budget.canceled() && !budget.cut_short();
     front.plans.push_back(std::move(plan));
   }
+  front.is_cut_short = budget.canceled() || budget.cut_short();
   std::stable_sort(front.plans.begin(), front.plans.end(), [](const Plan& a, const Plan& b) { return figures_of(a) < figures_of(b); });
   // What was proven differs a little from what the search saw.
   std::vector<Plan> best;

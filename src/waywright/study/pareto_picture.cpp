@@ -15,7 +15,7 @@ constexpr double left = 70.0, right = 30.0, top = 44.0, bottom = 48.0, height = 
 struct Axis {
   double low, high, step;
   Axis(double least, double most) {
-    const double range = most > least ? most - least : std::max(1e-3, 0.1 * std::abs(most));
+    const double range = std::max({most - least, 1e-3, 1e-6 * std::abs(most)});
     low = least - 0.08 * range;
     high = most + 0.08 * range;
     const double raw = (high - low) / 6.0;

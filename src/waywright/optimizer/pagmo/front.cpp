@@ -12,7 +12,7 @@
 namespace waywright {
 namespace {
 
-constexpr double infeasible = 1e6;  // what each objective has in addition where a point is not feasible
+constexpr double infeasible = 1e12;  // what each objective has in addition where a point is not feasible
 
 constexpr std::size_t most_kept = 4000;  // points of a front: enough for any picture, and comparing with all of them stays quick
 
@@ -92,6 +92,8 @@ std::vector<FrontPoint> search_front(const std::function<TradeOff(std::span<cons
     pagmo::algorithm{pagmo::nsga2{generations, 0.95, 10.0, 0.1, 20.0, draw()}}.evolve(population);
   } catch (const BudgetSpent&) {
     // The usual end.
+  } catch (const std::exception&) {
+    // What pagmo refuses leaves what was found so far.
   }
   std::sort(recorder.front.begin(), recorder.front.end(), [](const FrontPoint& a, const FrontPoint& b) { return a.objectives < b.objectives; });
   return std::move(recorder.front);

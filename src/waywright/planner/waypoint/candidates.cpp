@@ -7,8 +7,9 @@
 namespace waywright {
 namespace {
 
-constexpr double infeasible = 1e6;      // graded cost from where on a candidate is not feasible
+constexpr double infeasible = 1e20;     // graded cost from where on a candidate is not feasible: no objective comes near
 constexpr double unsolvable = 1e30;     // of a candidate without a chain, all of it
+constexpr double most_bend = 3.0;       // rad over a leg, that a variable's curvature comes to
 constexpr double most_poses = 20'000.0;
 constexpr std::size_t least_poses = 20;
 
@@ -124,7 +125,12 @@ WaypointCandidates::WaypointCandidates(const Problem& problem, const WaypointOpt
   };
   has_bends_ = options.continuity == Continuity::g2 && options.bend_range > 0.0;
   may_leave_ = radius > 0.0;
-  if (has_bends_) add(waypoints.size(), options.bend_range);
+  for (std::size_t i = 0; has_bends_ && i < waypoints.size(); ++i) {
+    const Vec2 before = i == 0 ? problem.start().position() : waypoints[i - 1];
+    const Vec2 after = i + 1 < waypoints.size() ? waypoints[i + 1] : problem.goal().position();
+    // What a leg can be bent by shrinks with its length.
+    add(1, std::min(options.bend_range, most_bend / std::min(distance(before, waypoints[i]), distance(waypoints[i], after))));
+  }
   if (may_leave_) add(2 * waypoints.size(), radius);
 }
 
@@ -223,7 +229,7 @@ Evaluation WaypointCandidates::evaluate(std::span<const double> x) {
     e.objective = fitness_of(fitness, options_.form, measures_of(*chain, options_.form, wants_greatest));
   }
   if (options_.continuity == Continuity::g2) e.violation = beyond_limits(*chain);
-  e.graded = e.violation > 0.0 ? 1e12 * (1.0 + e.violation) : e.objective;
+  e.graded = e.violation > 0.0 ? infeasible * (1.0 + e.violation) : e.objective;
   return e;
 }
 

@@ -33,6 +33,9 @@ class WaypointCandidates {
 
   const WaypointOptions& options() const { return options_; }
 
+  /// Over the vehicle's curvature or its rate.
+  bool is_beyond_limits(const Clothoids& chain) const { return beyond_limits(chain) > 0.0; }
+
   struct Tightest {
     Pose pose{};
     Contact contact{};

@@ -77,7 +77,11 @@ double MapObjects::corner_depth(Vec2 corner) const {
     if (!object.is_boundary && squared_distance(object.box, corner) > radius_ * radius_) continue;
     deepest = std::max(deepest, corner_against(object, corner).depth);
   }
-  return deepest;
+  // In no ring, and yet in contact: in a grid's blocked cells, or beyond it.
+  if (deepest == 0.0 && problem_.world().is_blocked(corner)) {
+    deepest = problem_.world().index().nearest(std::span{&corner, 1}, std::numeric_limits<double>::infinity()).distance + radius_;
+  }
+  return std::isfinite(deepest) ? deepest : reference_;
 }
 
 void MapObjects::measure_corners(const Pose& pose, bool wants_greatest, TrajectoryMeasures& measures) const {
@@ -106,7 +110,6 @@ double MapObjects::depth_of(const Pose& pose) const {
   if (radius_ > 0.0) return deepest;
   // Ends of edges in the footprint.
   problem_.world().index().visit(pose.position(), problem_.footprint().radius(), [&](const Segment& edge) {
-    if (problem_.world().is_boundary(edge.source)) return;
     const Vec2 local = frame.to_local(edge.a);
     if (!contains(corners_, local)) return;
     double depth = std::numeric_limits<double>::infinity();

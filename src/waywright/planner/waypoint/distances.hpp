@@ -9,7 +9,7 @@
 
 namespace waywright {
 
-/// The objects of a problem's world: obstacles and grids, inside of which is occupied; the boundary, outside of which is; walls and scan points.
+/// The objects of a problem's world: obstacles, the inside of which is occupied; the boundary, the outside of which is; grids, walls and scan points.
 class MapObjects {
  public:
   explicit MapObjects(const Problem& problem);  ///< which outlives this
@@ -29,8 +29,8 @@ class MapObjects {
   struct Object {
     std::vector<Segment> edges;
     Box box;
-    bool is_solid = false;     ///< inside is occupied
-    bool is_boundary = false;  ///< outside is
+    bool is_solid = false;     ///< the inside of its ring is occupied
+    bool is_boundary = false;  ///< the outside is
   };
   struct Corner {
     double distance, depth;

@@ -84,9 +84,11 @@ PlanningFailure failure_of(const Problem& problem, WaypointCandidates& candidate
   failure.failure.status = budget.canceled() ? Status::canceled : budget.cut_short() ? Status::timed_out : Status::no_path;
   std::string why;
   const WaypointCandidates::Tightest tightest = candidates.tightest_of(chain);
-  if (tightest.contact.clearance < problem.required_clearance() || tightest.contact.clearance == 0.0) {
+  if (!candidates.is_beyond_limits(chain)) {
     const std::string obstacle = problem.world().source_name(tightest.contact.source);
-    why = tightest.contact.clearance > 0.0
+    why = tightest.contact.clearance >= problem.required_clearance() && tightest.contact.clearance > 0.0
+              ? fmt::format("comes too near to something between the poses looked at, near {} at ({:.3f}, {:.3f})", obstacle, tightest.contact.point.x, tightest.contact.point.y)
+          : tightest.contact.clearance > 0.0
               ? fmt::format("comes as near as {:.4f} m to {} at ({:.3f}, {:.3f}), and {:.4f} m are required", tightest.contact.clearance, obstacle, tightest.contact.point.x,
                             tightest.contact.point.y, problem.required_clearance())
               : fmt::format("touches {} at ({:.3f}, {:.3f})", obstacle, tightest.contact.point.x, tightest.contact.point.y);

@@ -27,7 +27,7 @@ struct WaypointOptions {
   std::int64_t evaluations = 4000;
   int population = 50;
   double heading_range = 1.6;      ///< rad to each side of the mean course at a waypoint, in (0, π]; π: all headings
-  double bend_range = 1.0;         ///< 1/m, how far the curvature at a waypoint may be from that of the clothoids before and after it, ≥ 0; of G2 chains
+  double bend_range = 1.0;         ///< 1/m, how far the curvature at a waypoint may be from that of the clothoids before and after it, ≥ 0, at most 3 rad over the shorter leg; of G2 chains
   int samples = 100;               ///< poses that the published functions look at, ≥ 2
   double margin = 0.01;            ///< m, least distance of `pwavg_margin`, beside the clearance asked for, > 0
   double wanted_clearance = 0.5;   ///< m beyond the clearance asked for, from where `metres` feels no obstacle, > 0
