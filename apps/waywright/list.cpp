@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/planner/registry.hpp"
+#include "waywright/planner/waypoint/waypoint_clothoid.hpp"
 
 namespace waywright::app {
 namespace {
@@ -65,12 +66,14 @@ int list(const std::string& what) {
   section("objectives", [&] {
     text += line("normalised", "0.7 × change of curvature + 0.3 × length, each over the reference path's (docking, cost B)");
     text += line("exponential", "exponentials of the differences to the reference path (docking, cost A)");
+    for (const WaypointObjective o : waypoint_objectives) text += line(to_string(o), meaning_of(o) + " (waypoints)");
   });
   section("vehicles", [&] { text += vehicles(); });
   section("maps", [&] {
     text += line("polygons", "boundary, obstacles, lines, points in metres");
     text += line("ros", "ROS map_server yaml with pgm or png");
     text += line("image", "pgm or png with a resolution");
+    text += line("dxf", "floor plan from CAD");
     text += line("cells", "occupancy cells inlined by run lengths");
   });
   section("zones", [&] { text += line("(none)", "zones are not supported yet"); });

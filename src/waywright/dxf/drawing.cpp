@@ -163,8 +163,23 @@ class Scan {
     return std::nullopt;
   }
 
+  /// By the points that an entity names: group 10 with its y, of lines 11, too.
   void grow(const Item& item) {
-    const Vec2 p{number(item, 10, 0.0), number(item, 20, 0.0)};
+    const bool is_line = item.type == "LINE";
+    double x = 0.0;
+    bool has_x = false;
+    for (const Group& group : item.groups) {
+      const bool is_x = group.code == 10 || (is_line && group.code == 11);
+      const bool is_y = group.code == 20 || (is_line && group.code == 21);
+      if (!is_x && !is_y) continue;
+      const auto value = number_from(group.value);
+      if (is_x) x = value.value_or(0.0);
+      if (is_y && has_x && value) grow(Vec2{x, *value});
+      has_x = is_x && value.has_value();
+    }
+  }
+
+  void grow(Vec2 p) {
     if (!any_) drawing_.box = {p, p};
     any_ = true;
     drawing_.box.low = {std::min(drawing_.box.low.x, p.x), std::min(drawing_.box.low.y, p.y)};

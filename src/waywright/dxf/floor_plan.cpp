@@ -38,7 +38,7 @@ Parsed<Unit> unit_of(const Drawing& drawing, const std::string& name, const Opti
   if (!options.unit.empty()) return tl::unexpected{InputError{name, "unit", fmt::format("\"{}\" is not known", one_line(options.unit)), "mm, cm, m, in, ft"}};
   const Vec2 size = drawing.box.high - drawing.box.low;
   const std::string why = drawing.unit == 0 ? "the drawing names no unit ($INSUNITS)" : fmt::format("the drawing's unit ($INSUNITS {}) is not one of floor plans", drawing.unit);
-  return tl::unexpected{InputError{name, "", fmt::format("{}; it is about {:.4g} x {:.4g} units: give unit (--unit)", why, size.x, size.y), unit_names}};
+  return tl::unexpected{InputError{name, "", fmt::format("{}; it is about {:.0f} x {:.0f} units: give unit (--unit)", why, size.x, size.y), unit_names}};
 }
 
 std::string metres(double v) { return v < 1000.0 ? fmt::format("{:.3g} m", v) : fmt::format("{:.3g} km", v / 1000.0); }

@@ -43,20 +43,6 @@ std::string courses_of(const Problem& problem, std::span<const double> x) {
 
 std::string counted(std::int64_t n, const char* one) { return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s"); }
 
-std::string meaning_of(WaypointObjective objective) {
-  switch (objective) {
-    case WaypointObjective::mlpc: return "least length, a thousandfold on contact";
-    case WaypointObjective::mlmc: return "least length, times the poses in contact";
-    case WaypointObjective::mdobs: return "greatest least distance";
-    case WaypointObjective::avgmd: return "greatest mean distance";
-    case WaypointObjective::pwavg: return "least depth in obstacles, then greatest mean distance";
-    case WaypointObjective::levels: return "fewest poses within two safety distances";
-    case WaypointObjective::pwavg_margin: return "greatest mean distance with the margin kept everywhere";
-    case WaypointObjective::metres: return "length, nearness and bends, in metres";
-  }
-  return {};
-}
-
 std::string limits_sentence(const Problem& problem, const Clothoids& chain, Continuity continuity) {
   std::string text = continuity == Continuity::g2
                          ? fmt::format("Each leg is three clothoids: curvature goes on without jumps, at most {:.4f} 1/m", greatest_curvature(chain))
@@ -77,6 +63,9 @@ std::vector<Pose> picture_of(const Clothoids& chain) {
   sample_evenly(chain, std::clamp<std::size_t>(static_cast<std::size_t>(length_of(chain) / 0.12), 2, 1000), poses);
   return poses;
 }
+
+/// Does the body cover the point that follows the path?
+bool contains_origin(const Footprint& footprint) { return footprint.is_disc() || contains(footprint.polygon, Vec2{}); }
 
 /// Why the best candidate cannot be driven.
 PlanningFailure failure_of(const Problem& problem, WaypointCandidates& candidates, const Clothoids& chain, std::int64_t looked, const Budget& budget) {
@@ -103,9 +92,43 @@ PlanningFailure failure_of(const Problem& problem, WaypointCandidates& candidate
   return failure;
 }
 
+
+/// A waypoint that has to be met where nothing can be: no search would help.
+std::optional<PlanningFailure> blocked_waypoint(const Problem& problem) {
+  const Scenario& scenario = problem.scenario();
+  if (scenario.waypoint_radius > 0.0) return std::nullopt;
+  for (std::size_t i = 0; i < scenario.waypoints.size(); ++i) {
+    const Vec2 at = scenario.waypoints[i];
+    const Contact contact = problem.world().clearance(std::span{&at, 1}, 0.0, 1e-9);
+    const bool is_covered = contains_origin(problem.footprint());
+    if (contact.clearance > 0.0 || !is_covered) continue;
+    PlanningFailure failure;
+    failure.failure = {Status::no_path,
+                       fmt::format("waypoint {} at ({:.3f}, {:.3f}) is {} {}", i + 1, at.x, at.y, contact.outside ? "outside" : "in", problem.world().source_name(contact.source)),
+                       make_pose(at, 0.0), at};
+    return failure;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
+std::string meaning_of(WaypointObjective objective) {
+  switch (objective) {
+    case WaypointObjective::mlpc: return "least length, a thousandfold on contact";
+    case WaypointObjective::mlmc: return "least length, times the poses in contact";
+    case WaypointObjective::mdobs: return "greatest least distance";
+    case WaypointObjective::avgmd: return "greatest mean distance";
+    case WaypointObjective::pwavg: return "least depth in obstacles, then greatest mean distance";
+    case WaypointObjective::levels: return "fewest poses within two safety distances";
+    case WaypointObjective::pwavg_margin: return "greatest mean distance with the margin kept everywhere";
+    case WaypointObjective::metres: return "length, nearness and bends, in metres";
+  }
+  return {};
+}
+
 PlanningResult WaypointClothoidPlanner::plan(const Problem& problem, Budget& budget) const {
+  if (auto failure = blocked_waypoint(problem); failure && !budget.exhausted()) return tl::unexpected{std::move(*failure)};
   WaypointCandidates candidates{problem, options_};
   const SearchSpace& space = candidates.space();
   Best best;
@@ -176,6 +199,7 @@ PlanningResult WaypointClothoidPlanner::plan(const Problem& problem, Budget& bud
   } else {
     planned.explanation.push_back("There are no waypoints to choose courses at: start and goal alone decide the path.");
   }
+  if (is_too_wide) planned.explanation.push_back(fmt::format("lattice_search takes at most {} variables; with {} differential evolution searched in its place.", LatticeSearch::most_variables, space.dimension()));
   if (refused > 0) planned.explanation.push_back(fmt::format("{} cost less, and the proof refused {}.", counted(static_cast<std::int64_t>(refused), "candidate"), refused == 1 ? "it" : "them"));
   planned.explanation.push_back(limits_sentence(problem, chain, options_.continuity));
   planned.explanation.push_back(measures_sentence(candidates.measures_of(chain, FitnessForm::published, false)));

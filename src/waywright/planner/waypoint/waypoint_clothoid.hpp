@@ -19,6 +19,7 @@ inline constexpr std::array waypoint_objectives{WaypointObjective::mlpc,  Waypoi
                                                 WaypointObjective::pwavg, WaypointObjective::levels, WaypointObjective::pwavg_margin, WaypointObjective::metres};
 /// As the command line names it.
 const char* to_string(WaypointObjective objective);
+std::string meaning_of(WaypointObjective objective);  ///< in some words
 
 struct WaypointOptions {
   WaypointObjective objective = WaypointObjective::metres;
