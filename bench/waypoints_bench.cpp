@@ -10,6 +10,7 @@
 #include "bench/yardstick/plain_waypoints.hpp"
 #include "waywright/core/random.hpp"
 #include "waywright/curve/clothoid.hpp"
+#include "waywright/planner/registry.hpp"
 #include "waywright/planner/waypoint/candidates.hpp"
 
 namespace waywright::bench {
@@ -112,6 +113,42 @@ void objective_ours(benchmark::State& state, WaypointObjective objective, Contin
   state.SetItemsProcessed(state.iterations() * candidates);
 }
 
+std::vector<yardstick::Pose> plain_poses_through(const std::vector<double>& courses) {
+  const Scenario& s = setting().problem.scenario();
+  std::vector<yardstick::Pose> through{{s.start.x, s.start.y, s.start.heading}};
+  for (std::size_t i = 0; i < courses.size(); ++i) through.push_back({s.waypoints[i].x, s.waypoints[i].y, courses[i]});
+  const Pose goal = setting().problem.goal();
+  through.push_back({goal.x, goal.y, goal.heading});
+  return through;
+}
+
+void objective_plain(benchmark::State& state) {
+  std::vector<std::vector<yardstick::Pose>> all;
+  for (const auto& courses : setting().courses) all.push_back(plain_poses_through(courses));
+  for (auto _ : state) {
+    for (const auto& through : all) benchmark::DoNotOptimize(yardstick::candidate_plain(setting().plain, through, 100));
+  }
+  state.SetItemsProcessed(state.iterations() * candidates);
+}
+
+/// The publication's genetic algorithm as the planner runs it; a generation of 50.
+void generations_ours(benchmark::State& state) {
+  constexpr int generations = 20;
+  WaypointOptions options;
+  options.objective = WaypointObjective::pwavg;
+  options.continuity = Continuity::g1;
+  WaypointCandidates evaluated{setting().problem, options};
+  const auto optimizer = find_optimizer("ga_intermediate")->make();
+  std::int64_t done = 0;
+  std::uint64_t seed = 0;
+  for (auto _ : state) {
+    Budget budget;
+    const SearchOptions search{candidates * (generations + 1), candidates, ++seed};
+    done += optimizer->minimise([&](std::span<const double> x, double) { return evaluated.evaluate(x); }, evaluated.space(), search, budget).evaluations;
+  }
+  state.SetItemsProcessed(done / candidates);
+}
+
 void fit_plain(benchmark::State& state) {
   for (auto _ : state) {
     for (const auto& [a, b] : setting().pairs_of_poses) benchmark::DoNotOptimize(yardstick::fit_textbook({a.x, a.y, a.heading}, {b.x, b.y, b.heading}).length);
@@ -121,6 +158,20 @@ void fit_plain(benchmark::State& state) {
 void fit_ours(benchmark::State& state) {
   for (auto _ : state) {
     for (const auto& [a, b] : setting().pairs_of_poses) benchmark::DoNotOptimize(fit_clothoid(a, b)->length);
+  }
+  state.SetItemsProcessed(state.iterations() * pairs);
+}
+
+void fit_ours_in_batches(benchmark::State& state) {
+  std::vector<Pose> from, to;
+  for (const auto& [a, b] : setting().pairs_of_poses) {
+    from.push_back(a);
+    to.push_back(b);
+  }
+  std::vector<std::optional<Clothoid>> fitted(pairs);
+  for (auto _ : state) {
+    fit_clothoid_batch(from, to, fitted);
+    benchmark::DoNotOptimize(fitted.data());
   }
   state.SetItemsProcessed(state.iterations() * pairs);
 }
@@ -150,10 +201,13 @@ int main(int argc, char** argv) {
   add("distances, bounding boxes first", [](benchmark::State& s) { distances_by(s, yardstick::distances_boxes_first); });
   add("distances, ours, whole footprint", [](benchmark::State& s) { distances_ours(s, FitnessForm::corrected); });
   add("distances, ours, corners", [](benchmark::State& s) { distances_ours(s, FitnessForm::published); });
+  add("candidate, pwavg, plain", objective_plain);
+  add("generation of 50, ours", generations_ours);
   add("candidate, pwavg, one clothoid a leg", [](benchmark::State& s) { objective_ours(s, WaypointObjective::pwavg, Continuity::g1); });
   add("candidate, metres, three clothoids a leg", [](benchmark::State& s) { objective_ours(s, WaypointObjective::metres, Continuity::g2); });
   add("clothoid fit, textbook", fit_plain);
   add("clothoid fit, ours", fit_ours);
+  add("clothoid fit, ours, in batches", fit_ours_in_batches);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   Medians medians;
@@ -167,9 +221,14 @@ int main(int argc, char** argv) {
   row("distances, bounding boxes first", "distances, plain");
   row("distances, ours, whole footprint", "distances, plain");
   row("distances, ours, corners", "distances, plain");
-  row("candidate, pwavg, one clothoid a leg", "distances, plain");
+  row("candidate, pwavg, plain", nullptr);
+  row("candidate, pwavg, one clothoid a leg", "candidate, pwavg, plain");
+  medians.micros["generation of 50, plain, without its own work"] = candidates * medians.micros["candidate, pwavg, plain"];
+  row("generation of 50, plain, without its own work", nullptr);
+  row("generation of 50, ours", "generation of 50, plain, without its own work");
   row("candidate, metres, three clothoids a leg", nullptr);
   row("clothoid fit, textbook", nullptr);
   row("clothoid fit, ours", "clothoid fit, textbook");
+  row("clothoid fit, ours, in batches", "clothoid fit, textbook");
   return 0;
 }

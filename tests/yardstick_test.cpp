@@ -8,6 +8,7 @@
 #include "waywright/planner/docking/candidate.hpp"
 #include "waywright/proof/collision.hpp"
 #include "waywright/curve/clothoid.hpp"
+#include "waywright/planner/waypoint/candidates.hpp"
 #include "waywright/planner/waypoint/distances.hpp"
 
 namespace waywright {
@@ -135,6 +136,53 @@ TEST(Yardstick, FitsTheSameClothoids) {
     if (!(textbook.length < 40.0 * distance(a.position(), b.position()))) continue;  // there another turning is taken
     EXPECT_NEAR(ours->length, textbook.length, 1e-6 * ours->length);
   }
+}
+
+TEST(Yardstick, CandidatesThroughWaypointsCostTheSame) {
+  Random random{33};
+  int contacts = 0;
+  for (int round = 0; round < 10; ++round) {
+    Scenario s;
+    s.map.boundaries = {rectangle({0, 0}, {24, 16})};
+    for (int i = 0; i < 12; ++i) {
+      const Vec2 at{random.uniform(1, 23), random.uniform(1, 15)};
+      if (std::abs(at.y - 8.0) > 1.5) s.map.obstacles.push_back(rectangle(at, at + Vec2{random.uniform(0.3, 1.0), random.uniform(0.3, 1.0)}));
+    }
+    s.vehicle.footprint.polygon = {{-0.9, -0.275}, {0.9, -0.275}, {0.9, 0.275}, {-0.9, 0.275}};
+    s.vehicle.drive = Differential{0.45};
+    s.start = {1.5, 8, 0};
+    s.mission = Pose{22, 8, 0};
+    s.waypoints = {{8, random.uniform(7, 9)}, {15, random.uniform(7, 9)}};
+    const Problem problem = Problem::prepare(s).value();
+    yardstick::Hall hall;
+    const auto add = [](const Ring& ring) {
+      yardstick::Polygon polygon;
+      for (const Vec2 p : ring) polygon.emplace_back(p.x, p.y);
+      return polygon;
+    };
+    hall.footprint = add(s.vehicle.footprint.polygon);
+    hall.objects.push_back(add(s.map.boundaries.front()));
+    for (const Ring& ring : s.map.obstacles) hall.objects.push_back(add(ring));
+    WaypointOptions options;
+    options.objective = WaypointObjective::pwavg;
+    options.continuity = Continuity::g1;
+    WaypointCandidates candidates{problem, options};
+    for (int i = 0; i < 40; ++i) {
+      const std::vector<double> x{random.uniform(-1.2, 1.2), random.uniform(-1.2, 1.2)};
+      const double plain = yardstick::candidate_plain(
+          hall, {{1.5, 8, 0}, {s.waypoints[0].x, s.waypoints[0].y, x[0]}, {s.waypoints[1].x, s.waypoints[1].y, x[1]}, {22, 8, 0}}, options.samples);
+      const double ours = candidates.evaluate(x).objective;
+      if (plain < 1.0) {
+        EXPECT_NEAR(ours, plain, 1e-9);
+      } else {  // sides that cross without a corner inside are contact too, for ours
+        EXPECT_GE(ours, plain - 1e-9);
+        EXPECT_LE(ours, plain + 0.01);
+      }
+      contacts += plain >= 1.0;
+    }
+  }
+  EXPECT_GT(contacts, 20);
+  EXPECT_LT(contacts, 300);
 }
 
 }  // namespace

@@ -135,4 +135,54 @@ FittedClothoid fit_textbook(const Pose& from, const Pose& to) {
   return {length, (delta - a) / length, 2.0 * a / (length * length)};
 }
 
+std::vector<Pose> sample_textbook(const std::vector<Pose>& through, int samples) {
+  std::vector<FittedClothoid> legs;
+  double total = 0.0;
+  for (std::size_t i = 0; i + 1 < through.size(); ++i) {
+    legs.push_back(fit_textbook(through[i], through[i + 1]));
+    total += legs.back().length;
+  }
+  std::vector<Pose> poses;
+  std::size_t leg = 0;
+  double begin = 0.0;  // of the leg
+  double before = 0.0;
+  Point position{through[0].x, through[0].y};
+  for (int i = 0; i < samples; ++i) {
+    const double s = total * i / (samples - 1);
+    while (leg + 1 < legs.size() && s > begin + legs[leg].length) {
+      begin += legs[leg++].length;
+      before = begin;
+      position = {through[leg].x, through[leg].y};
+    }
+    const FittedClothoid& c = legs[leg];
+    const auto course = [&](double along) { return through[leg].heading + along * (c.curvature + 0.5 * c.rate * along); };
+    const double from = before - begin, by = s - before;
+    constexpr double node[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975362};
+    constexpr double weight[4] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
+    for (int k = 0; k < 4; ++k) {
+      for (const double side : {-1.0, 1.0}) {
+        const double angle = course(from + 0.5 * by * (1.0 + side * node[k]));
+        position += 0.5 * by * weight[k] * Point{std::cos(angle), std::sin(angle)};
+      }
+    }
+    before = s;
+    poses.push_back({position.x(), position.y(), course(s - begin)});
+  }
+  return poses;
+}
+
+double candidate_plain(const Hall& hall, const std::vector<Pose>& through, int samples) {
+  const Distances d = distances_plain(hall, sample_textbook(through, samples));
+  const Box border = box_of(hall.objects.front());
+  const double reference = 0.5 * (border.high - border.low).norm();
+  double depth = 0.0, distance = 0.0;
+  bool is_in_contact = false;
+  for (std::size_t i = 0; i < d.distance.size(); ++i) {
+    is_in_contact = is_in_contact || d.depth[i] > 0.0;
+    depth += d.depth[i];
+    distance += std::min(d.distance[i], reference);
+  }
+  return is_in_contact ? 1.0 + depth / samples / reference : 1.0 - distance / samples / reference;
+}
+
 }  // namespace yardstick

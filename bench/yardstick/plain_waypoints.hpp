@@ -33,4 +33,11 @@ struct FittedClothoid {
 /// Newton from 3 (φ0 + φ1), eight-point Gauss–Legendre on four equal parts.
 FittedClothoid fit_textbook(const Pose& from, const Pose& to);
 
+/// Poses at equal ways along the clothoids from each pose to the next, ends included: each by quadrature from the one before.
+std::vector<Pose> sample_textbook(const std::vector<Pose>& through, int samples);
+
+/// Fits, samples, measures; then the piecewise average: one plus the mean depth where something collides, else one less the mean distance, both by
+/// half the diagonal of the hall.
+double candidate_plain(const Hall& hall, const std::vector<Pose>& through, int samples);
+
 }  // namespace yardstick

@@ -1,7 +1,9 @@
 #include "waywright/core/elementary.hpp"
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace waywright {
@@ -90,16 +92,15 @@ SinCos sin_cos(double angle) {
     if (!std::isfinite(angle)) return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
     angle = std::remainder(angle, 6.283185307179586);
   }
-  const double k = std::floor(angle * (2.0 / 3.14159265358979323846) + 0.5);
+  constexpr double magic = 0x1.8p52;  // adding it leaves the nearest whole number in the last bits
+  const double shifted = angle * (2.0 / 3.14159265358979323846) + magic;
+  const double k = shifted - magic;
   const double r = ((angle - k * half_pi_1) - k * half_pi_2) - k * half_pi_3;
-  const double s = sin_near_zero(r);
-  const double c = cos_near_zero(r);
-  switch (static_cast<long>(k) & 3) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
-  }
+  // No branch: where an angle lies cannot be predicted.
+  const auto quadrant = std::bit_cast<std::uint64_t>(shifted);
+  const auto s = std::bit_cast<std::uint64_t>(sin_near_zero(r)), c = std::bit_cast<std::uint64_t>(cos_near_zero(r));
+  const std::uint64_t swapped = (s ^ c) & (0 - (quadrant & 1));
+  return {std::bit_cast<double>((s ^ swapped) ^ ((quadrant & 2) << 62)), std::bit_cast<double>((c ^ swapped) ^ (((quadrant + 1) & 2) << 62))};
 }
 
 double arc_tangent(double y, double x) {

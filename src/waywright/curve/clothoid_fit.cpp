@@ -1,5 +1,7 @@
 // The G1 Hermite problem by clothoids: Bertolazzi and Frego 2015. With the chord as unit and x axis, headings φ0 and φ1 against it and δ = φ1 − φ0, the
 // phase is P(τ) = Aτ² + (δ − A)τ + φ0 over τ in [0, 1], and A is a root of ∫ sin P for which ∫ cos P, the chord over the length, is positive.
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "waywright/curve/clothoid.hpp"
@@ -84,27 +86,64 @@ std::optional<Fit> shortest(double delta, double phi0) {
   return best;
 }
 
-}  // namespace
+/// What is asked of a pair of poses: headings against the chord.
+struct Hermite {
+  double r = 0.0, delta = 0.0, phi0 = 0.0, phi1 = 0.0;
+};
 
-std::optional<Clothoid> fit_clothoid(const Pose& from, const Pose& to) {
+std::optional<Hermite> hermite_of(const Pose& from, const Pose& to) {
   const Vec2 chord = to.position() - from.position();
   const double r = norm(chord);
   if (!(r > 0.0) || !std::isfinite(r) || !std::isfinite(from.heading) || !std::isfinite(to.heading)) return std::nullopt;
   const double along = angle_of(chord);
   const double phi0 = wrap(from.heading - along);
   const double phi1 = wrap(to.heading - along);
-  const double delta = phi1 - phi0;
-  std::optional<Fit> fit;
-  if (const auto root = newton(first_guess(phi0, phi1), delta, phi0)) {
-    fit = Fit{delta, *root};
-  } else {
-    fit = shortest(delta, phi0);
-  }
-  if (!fit) return std::nullopt;
-  const double length = r / fit->root.share;
-  const Clothoid clothoid{from, (fit->delta - fit->root.a) / length, 2.0 * fit->root.a / (length * length), length};
+  return Hermite{r, phi1 - phi0, phi0, phi1};
+}
+
+std::optional<Clothoid> clothoid_of(const Pose& from, double r, const Fit& fit) {
+  const double length = r / fit.root.share;
+  const Clothoid clothoid{from, (fit.delta - fit.root.a) / length, 2.0 * fit.root.a / (length * length), length};
   if (!std::isfinite(clothoid.curvature) || !std::isfinite(clothoid.curvature_rate) || !std::isfinite(length)) return std::nullopt;
   return clothoid;
+}
+
+std::optional<Clothoid> shortest_from(const Pose& from, const Hermite& h) {
+  const auto fit = shortest(h.delta, h.phi0);
+  return fit ? clothoid_of(from, h.r, *fit) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Clothoid> fit_clothoid(const Pose& from, const Pose& to) {
+  const auto h = hermite_of(from, to);
+  if (!h) return std::nullopt;
+  const auto root = newton(first_guess(h->phi0, h->phi1), h->delta, h->phi0);
+  return root ? clothoid_of(from, h->r, {h->delta, *root}) : shortest_from(from, *h);
+}
+
+void fit_clothoid_batch(std::span<const Pose> from, std::span<const Pose> to, std::span<std::optional<Clothoid>> fitted) {
+  constexpr std::size_t width = clothoid_lanes::width;
+  static const clothoid_lanes::Kernels& kernels = clothoid_lanes::best();
+  for (std::size_t first = 0; first < from.size(); first += width) {
+    const std::size_t count = std::min(width, from.size() - first);
+    clothoid_lanes::Fits fits;
+    std::array<std::optional<Hermite>, width> problems;
+    for (std::size_t k = 0; k < width; ++k) {
+      if (k < count) problems[k] = hermite_of(from[first + k], to[first + k]);
+      const Hermite h = problems[k].value_or(Hermite{});
+      fits.delta[k] = h.delta;
+      fits.phi0[k] = h.phi0;
+      fits.a[k] = first_guess(h.phi0, h.phi1);
+    }
+    kernels.fit(fits, widest, least_share);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Pose& at = from[first + k];
+      fitted[first + k] = !problems[k]     ? std::nullopt
+                          : fits.solved[k] ? clothoid_of(at, problems[k]->r, {problems[k]->delta, {fits.a[k], fits.share[k]}})
+                                           : shortest_from(at, *problems[k]);
+    }
+  }
 }
 
 }  // namespace waywright

@@ -66,6 +66,39 @@ void fit_many(int count, std::uint64_t seed) {
 TEST(ClothoidFit, MeetsBothPosesAgainstHighPrecision) { fit_many(3'000, 1); }
 TEST(ClothoidFitFull, MeetsAMillionPairsOfPoses) { fit_many(1'000'000, 2); }
 
+/// Batches of many against single fits, and where they end.
+void fit_batches(int count, std::uint64_t seed) {
+  Random random{seed};
+  std::vector<Pose> from, to;
+  for (int i = 0; i < count; ++i) {
+    const double scale = std::pow(10.0, random.uniform(-6, 6));
+    from.push_back({0, 0, random.uniform(-pi, pi)});
+    to.push_back({scale * random.uniform(-1, 1), scale * random.uniform(-1, 1), random.uniform(-pi, pi)});
+  }
+  for (const double a : hard) {
+    for (const double b : hard) {
+      from.push_back({0, 0, a});
+      to.push_back({1, 0, b});
+    }
+  }
+  from.push_back({1, 1, 0});  // nothing between
+  to.push_back({1, 1, 1});
+  std::vector<std::optional<Clothoid>> fitted(from.size());
+  fit_clothoid_batch(from, to, fitted);
+  EXPECT_FALSE(fitted.back());
+  for (std::size_t i = 0; i + 1 < from.size(); ++i) {
+    ASSERT_TRUE(fitted[i]) << from[i].heading << ' ' << to[i].x << ' ' << to[i].y << ' ' << to[i].heading;
+    const double chord = distance(from[i].position(), to[i].position());
+    const Clothoid& c = *fitted[i];
+    ASSERT_LE(distance(evaluate(c, c.length).position, to[i].position()), 1e-11 * chord) << from[i].heading << ' ' << to[i].heading;
+    ASSERT_LE(std::abs(shorter_turn(course_at(c, c.length), to[i].heading)), 1e-11);
+    ASSERT_NEAR(fit_clothoid(from[i], to[i])->length, c.length, 1e-9 * c.length) << from[i].heading << ' ' << to[i].heading;
+  }
+}
+
+TEST(ClothoidFit, BatchesAreTheSameCurves) { fit_batches(20'000, 4); }
+TEST(ClothoidFitFull, BatchesAreTheSameCurvesAMillionTimes) { fit_batches(1'000'000, 5); }
+
 TEST(ClothoidFit, MeetsHardHeadingsAtAllScales) {
   double longest = 0.0;
   for (const double scale : {1e-6, 1.0, 1e6}) {
@@ -168,6 +201,25 @@ TEST(Clothoid, PanelsGiveTheSamePlaces) {
       EXPECT_LE(distance(a.position, b.position), 1e-13);
       EXPECT_EQ(a.course, b.course);
       EXPECT_EQ(a.curvature, b.curvature);
+    }
+  }
+}
+
+TEST(Clothoid, SamplesAreTheirPlaces) {
+  Random random{21};
+  for (int i = 0; i < 2000; ++i) {
+    const Clothoid c{{random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-pi, pi)}, random.uniform(-1, 1) * std::pow(10.0, random.uniform(-3, 2)),
+                     i % 10 == 0 ? 0.0 : random.uniform(-1, 1) * std::pow(10.0, random.uniform(-3, 2)), std::pow(10.0, random.uniform(-2, 1))};
+    const auto n = static_cast<std::size_t>(random.integer(0, 40));
+    const double begin = i % 4 == 0 ? 0.0 : random.uniform(0, 0.3) * c.length;
+    const double step = n > 1 ? (c.length - begin) / static_cast<double>(n - 1) : 0.0;
+    std::vector<Pose> poses;
+    sample_clothoid(c, begin, step, n, poses);
+    ASSERT_EQ(poses.size(), n);
+    for (std::size_t k = 0; k < n; ++k) {
+      const CurvePoint truth = evaluate(c, begin + static_cast<double>(k) * step);
+      EXPECT_LE(distance(poses[k].position(), truth.position), 1e-12 * (1.0 + c.length)) << i << ' ' << k;
+      EXPECT_LE(std::abs(shorter_turn(poses[k].heading, truth.course)), 1e-12 * (1.0 + greatest_curvature(c) * c.length));
     }
   }
 }

@@ -1,37 +1,14 @@
 #include "waywright/geometry/obstacle_index.hpp"
 
 #include <algorithm>
-#include <array>
+#include <boost/container/static_vector.hpp>
 #include <cmath>
 #include <limits>
 
 namespace waywright {
 namespace {
 
-constexpr std::uint32_t leaf_size = 4;
-
-Box box_of(const Segment& s) {
-  return {{std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y)}, {std::max(s.a.x, s.b.x), std::max(s.a.y, s.b.y)}};
-}
-
-void grow(Box& box, const Box& other) {
-  box.low.x = std::min(box.low.x, other.low.x);
-  box.low.y = std::min(box.low.y, other.low.y);
-  box.high.x = std::max(box.high.x, other.high.x);
-  box.high.y = std::max(box.high.y, other.high.y);
-}
-
-inline double squared_gap(const Box& a, const Box& b) {
-  const double dx = std::max(std::max(0.0, a.low.x - b.high.x), b.low.x - a.high.x);
-  const double dy = std::max(std::max(0.0, a.low.y - b.high.y), b.low.y - a.high.y);
-  return dx * dx + dy * dy;
-}
-
-Box box_of(std::span<const Vec2> ring) {
-  Box box{ring.front(), ring.front()};
-  for (const Vec2 p : ring.subspan(1)) grow(box, {p, p});
-  return box;
-}
+constexpr std::uint32_t width = segment_lanes::width;
 
 struct Candidate {
   double squared = 0.0;
@@ -71,82 +48,69 @@ Candidate segment_to_segment(Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1) {
   return best;
 }
 
-/// An outline made ready for many distance questions: edge vectors and their inverse squared lengths.
-class Outline {
- public:
-  explicit Outline(std::span<const Vec2> ring) : ring_{ring}, edges_{ring.size() < 3 ? ring.size() - 1 : ring.size()} {
-    for (std::size_t i = 0; i < std::min(edges_, capacity); ++i) ready_[i] = make_edge(i);
-    convex_ = ring.size() >= 3;
-    for (std::size_t i = 0; convex_ && i < edges_; ++i) convex_ = cross(edge(i).d(), edge(next(i)).d()) >= 0.0;
+/// As good as a rectangle: what it is off by is rounding of coordinates up to `extent`. The distances are off by no more than twice that.
+bool is_rectangle(const segment_lanes::Edge* edge, double extent) {
+  const double by = 6e-16 * extent;
+  const segment_lanes::Edge &e = edge[0], &f = edge[1], &g = edge[2], &h = edge[3];
+  const auto are_opposite = [by](double a, double b) { return std::abs(a + b) <= by; };
+  const double sides = std::abs(e.along_x) + std::abs(e.along_y) + std::abs(f.along_x) + std::abs(f.along_y);
+  return are_opposite(e.along_x, g.along_x) && are_opposite(e.along_y, g.along_y) && are_opposite(f.along_x, h.along_x) &&
+         are_opposite(f.along_y, h.along_y) && std::abs(e.along_x * f.along_x + e.along_y * f.along_y) <= by * sides;
+}
+
+/// Where a segment is nearest to a ring's area.
+Vec2 nearest_on(const Segment& s, std::span<const Vec2> ring) {
+  const std::size_t edges = ring.size() < 3 ? ring.size() - 1 : ring.size();
+  Candidate best = point_to_segment(ring.front(), s.a, s.b);
+  for (const Vec2 end : {s.a, s.b}) {
+    if (ring.size() > 2 && contains(ring, end)) return end;
   }
-
-  /// Squared distance of a point to the area; 0 inside.
-  double squared_distance(Vec2 q) const {
-    if (edges_ == 0) return squared_norm(q - ring_[0]);
-    double best = std::numeric_limits<double>::infinity();
-    bool left_of_all = convex_;
-    bool odd = false;
-    for (std::size_t i = 0; i < edges_; ++i) {
-      const Edge e = edge(i);
-      const Vec2 d = e.d();
-      const Vec2 r = q - e.a();
-      const double along = std::clamp(dot(r, d) * e.inverse, 0.0, 1.0);
-      best = std::min(best, squared_norm(r - along * d));
-      if (convex_) {
-        left_of_all = left_of_all && cross(d, r) >= 0.0;
-      } else if (edges_ > 2) {
-        if ((e.a().y > q.y) != (e.b().y > q.y) && (r.x * d.y < r.y * d.x) == (d.y > 0.0)) odd = !odd;
-      }
-    }
-    return left_of_all || odd ? 0.0 : best;
+  for (std::size_t i = 0; i < edges; ++i) {
+    const Candidate c = segment_to_segment(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], s.a, s.b);
+    if (c.squared < best.squared) best = c;
   }
+  return best.on;
+}
 
-  /// Squared distance of a segment to the area, and the segment's nearest point. `apart`: their boxes do not meet.
-  Candidate nearest(const Segment& s, bool apart) const {
-    Candidate c{squared_distance(s.a), s.a};
-    if (s.a == s.b || c.squared == 0.0) return c;
-    if (const double at_b = squared_distance(s.b); at_b < c.squared) c = {at_b, s.b};
-    if (c.squared == 0.0) return c;
-    for (std::size_t i = 0; !apart && i < edges_; ++i) {
-      const Edge e = edge(i);
-      if (!cross_each_other(e.a(), e.b(), s.a, s.b)) continue;
-      return segment_to_segment(e.a(), e.b(), s.a, s.b);
-    }
-    const Vec2 d = s.b - s.a;
-    const double inverse = 1.0 / squared_norm(d);
-    for (const Vec2 p : ring_) {
-      const Vec2 q = s.a + std::clamp(dot(p - s.a, d) * inverse, 0.0, 1.0) * d;
-      if (const double squared = squared_norm(p - q); squared < c.squared) c = {squared, q};
-    }
-    return c;
-  }
+/// The corners of a ring as the kernels read them.
+static_assert(sizeof(Vec2) == 2 * sizeof(double));
 
- private:
-  struct Edge {
-    double from_x, from_y, along_x, along_y, inverse;  // not set to 0 beforehand: that would take longer than making some
-    Vec2 a() const { return {from_x, from_y}; }
-    Vec2 d() const { return {along_x, along_y}; }
-    Vec2 b() const { return a() + d(); }
-  };
-  static constexpr std::size_t capacity = 24;
-
-  std::size_t next(std::size_t i) const { return i + 1 < ring_.size() ? i + 1 : 0; }
-  Edge make_edge(std::size_t i) const {
-    const Vec2 a = ring_[i];
-    const Vec2 d = ring_[next(i)] - a;
-    const double length2 = squared_norm(d);
-    return {a.x, a.y, d.x, d.y, length2 > 0.0 ? 1.0 / length2 : 0.0};
-  }
-  /// Those beyond the capacity are made each time: no outline needs memory of its own.
-  Edge edge(std::size_t i) const { return i < capacity ? ready_[i] : make_edge(i); }
-
-  std::span<const Vec2> ring_;
-  std::size_t edges_;
-  bool convex_ = false;
-  std::array<Edge, capacity> ready_;
-};
+const segment_lanes::Kernels& kernels() {
+  static const segment_lanes::Kernels& widest = segment_lanes::best();
+  return widest;
+}
 
 }  // namespace
+
+void make_ready(std::span<const Vec2> ring, segment_lanes::Outline& outline) {
+  using segment_lanes::Shape;
+  const std::size_t corners = ring.size();
+  const std::size_t edges = corners < 3 ? corners - 1 : corners;
+  outline.corner = &ring.front().x;
+  outline.corners = static_cast<int>(corners);
+  outline.edges = static_cast<int>(edges);
+  outline.low_x = outline.high_x = ring.front().x;
+  outline.low_y = outline.high_y = ring.front().y;
+  for (const Vec2 p : ring) {
+    outline.low_x = std::min(outline.low_x, p.x);
+    outline.low_y = std::min(outline.low_y, p.y);
+    outline.high_x = std::max(outline.high_x, p.x);
+    outline.high_y = std::max(outline.high_y, p.y);
+  }
+  const auto along = [&](std::size_t i) { return ring[i + 1 < corners ? i + 1 : 0] - ring[i]; };
+  for (std::size_t i = 0; i < std::min<std::size_t>(edges, segment_lanes::Outline::capacity); ++i) {
+    const Vec2 d = along(i);
+    const double squared = squared_norm(d);
+    outline.ready[i] = {ring[i].x, ring[i].y, d.x, d.y, squared > 0.0 ? 1.0 / squared : 0.0};
+  }
+  outline.shape = corners < 3 ? Shape::any : Shape::convex;
+  for (std::size_t i = 0; i < edges && outline.shape == Shape::convex; ++i) {
+    if (!(cross(along(i), along(i + 1 < corners ? i + 1 : 0)) >= 0.0)) outline.shape = Shape::any;
+  }
+  if (corners != 4 || outline.shape != Shape::convex) return;
+  const double extent = std::max(std::max(std::abs(outline.low_x), std::abs(outline.high_x)), std::max(std::abs(outline.low_y), std::abs(outline.high_y)));
+  if (is_rectangle(outline.ready, extent)) outline.shape = Shape::rectangle;
+}
 
 double point_segment_distance(Vec2 p, Vec2 a, Vec2 b, Vec2* on) {
   const Candidate c = point_to_segment(p, a, b);
@@ -162,107 +126,119 @@ double segment_distance(Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1, Vec2* on_b) {
 
 ObstacleIndex::ObstacleIndex(std::vector<Segment> segments) : segments_{std::move(segments)} {
   if (segments_.empty()) return;
-  nodes_.reserve(segments_.size());
-  build(0, static_cast<std::uint32_t>(segments_.size()));
+  const auto count = static_cast<std::uint32_t>(segments_.size());
+  nodes_.reserve(count / 64 + 2);
+  build(0, count);
+  blocks_.resize((count + width - 1) / width);
+  for (std::uint32_t i = 0; i < blocks_.size() * width; ++i) {
+    segment_lanes::Block& block = blocks_[i / width];
+    const std::uint32_t lane = i % width;
+    const Segment& s = segments_[std::min(i, count - 1)];
+    block.ax[lane] = s.a.x;
+    block.ay[lane] = s.a.y;
+    block.bx[lane] = s.b.x;
+    block.by[lane] = s.b.y;
+    const double squared = squared_norm(s.b - s.a);
+    block.inverse[lane] = squared > 0.0 ? 1.0 / squared : 0.0;
+    block.source[lane] = s.source;
+    block.ends_begin_others = (lane == 0 || block.ends_begin_others) && (s.end_begins_another || s.a == s.b);
+  }
+  bounds_ = box_of(0, count);
 }
 
+/// A node: up to 32 parts, each but the last a multiple of eight segments; blocks where so many are enough, nodes else.
 std::uint32_t ObstacleIndex::build(std::uint32_t begin, std::uint32_t end) {
+  struct Part {
+    std::uint32_t begin, end;
+    std::uint32_t size() const { return end - begin; }
+  };
+  constexpr std::uint32_t fan = segment_lanes::fan;
+  const bool holds_blocks = end - begin <= fan * width;
+  const std::uint32_t enough = holds_blocks ? width : fan * width;
+  boost::container::static_vector<Part, fan> parts{{begin, end}};
+  while (parts.size() < fan) {
+    const auto most = std::max_element(parts.begin(), parts.end(), [](Part l, Part r) { return l.size() < r.size(); });
+    const Part part = *most;
+    if (part.size() <= enough) break;
+    // Split by half along the longer side: depth stays logarithmic whatever the data, so that recursion and waiting places are bounded.
+    const Box box = box_of(part.begin, part.end);
+    const bool along_x = box.high.x - box.low.x >= box.high.y - box.low.y;
+    const std::uint32_t blocks = (part.size() + width - 1) / width;
+    const std::uint32_t middle = part.begin + (blocks + 1) / 2 * width;
+    const auto key = [along_x](const Segment& s) { return along_x ? s.a.x + s.b.x : s.a.y + s.b.y; };
+    std::nth_element(segments_.begin() + part.begin, segments_.begin() + middle, segments_.begin() + part.end,
+                     [&](const Segment& l, const Segment& r) { return key(l) < key(r); });
+    *most = {part.begin, middle};
+    parts.insert(most + 1, Part{middle, part.end});
+  }
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
-  Box box = box_of(segments_[begin]);
-  for (std::uint32_t i = begin + 1; i < end; ++i) grow(box, box_of(segments_[i]));
-  nodes_[index].box = box;
-  if (end - begin <= leaf_size) {
-    nodes_[index].first = begin;
-    nodes_[index].count = end - begin;
-    return index;
+  nodes_[index].count = static_cast<int>(parts.size());
+  nodes_[index].holds_blocks = holds_blocks;
+  for (std::uint32_t k = 0; k < fan; ++k) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const bool is_there = k < parts.size();
+    const Box box = is_there ? box_of(parts[k].begin, parts[k].end) : Box{{infinity, infinity}, {-infinity, -infinity}};
+    const std::uint32_t child = !is_there ? 0 : holds_blocks ? parts[k].begin / width : build(parts[k].begin, parts[k].end);
+    segment_lanes::Boxes& boxes = nodes_[index].boxes[k / width];
+    const std::uint32_t lane = k % width;
+    boxes.low_x[lane] = box.low.x;
+    boxes.low_y[lane] = box.low.y;
+    boxes.high_x[lane] = box.high.x;
+    boxes.high_y[lane] = box.high.y;
+    nodes_[index].child[k] = child;
   }
-  // Median split along the longer side: depth stays logarithmic whatever the data, so that recursion and stack are bounded.
-  const bool along_x = box.high.x - box.low.x >= box.high.y - box.low.y;
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  const auto key = [along_x](const Segment& s) { return along_x ? s.a.x + s.b.x : s.a.y + s.b.y; };
-  std::nth_element(segments_.begin() + begin, segments_.begin() + middle, segments_.begin() + end,
-                   [&](const Segment& l, const Segment& r) { return key(l) < key(r); });
-  build(begin, middle);
-  const std::uint32_t right = build(middle, end);
-  nodes_[index].first = right;
   return index;
+}
+
+Box ObstacleIndex::box_of(std::uint32_t begin, std::uint32_t end) const {
+  Box box{segments_[begin].a, segments_[begin].a};
+  for (std::uint32_t i = begin; i < end; ++i) {
+    for (const Vec2 p : {segments_[i].a, segments_[i].b}) {
+      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+    }
+  }
+  return box;
+}
+
+segment_lanes::Found ObstacleIndex::find(std::span<const Vec2> ring, double squared, std::size_t without, bool any) const {
+  segment_lanes::Outline outline;
+  make_ready(ring, outline);
+  const auto source = static_cast<std::uint32_t>(std::min<std::size_t>(without, segment_lanes::none));
+  return kernels().nearest(tree(), outline, squared, source, any, segment_lanes::none);
 }
 
 Nearest ObstacleIndex::nearest(std::span<const Vec2> ring, double limit, std::size_t without) const {
   Nearest answer;
   answer.distance = limit;
   if (nodes_.empty() || ring.empty() || !(limit > 0.0)) return answer;
-  const Box box = box_of(ring);
-  const Outline outline{ring};
-  double best = limit * limit;
-  struct Entry {
-    std::uint32_t node;
-    double gap;
-  };
-  std::array<Entry, 128> stack;
-  std::size_t top = 0;
-  stack[top++] = {0, squared_gap(nodes_[0].box, box)};
-  while (top > 0) {
-    const Entry entry = stack[--top];
-    if (entry.gap >= best) continue;
-    const Node& node = nodes_[entry.node];
-    if (node.count > 0) {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-        const Segment& s = segments_[i];
-        if (s.source == without) continue;
-        const double gap = squared_gap(box_of(s), box);
-        if (gap >= best) continue;
-        const Candidate c = outline.nearest(s, gap > 0.0);
-        if (c.squared < best) {
-          best = c.squared;
-          answer.point = c.on;
-          answer.source = s.source;
-          answer.found = true;
-          if (best == 0.0) {
-            answer.distance = 0.0;
-            return answer;
-          }
-        }
-      }
-      continue;
-    }
-    Entry left{entry.node + 1, squared_gap(nodes_[entry.node + 1].box, box)};
-    Entry right{node.first, squared_gap(nodes_[node.first].box, box)};
-    if (left.gap < right.gap) std::swap(left, right);  // the nearer one is popped first
-    if (left.gap < best) stack[top++] = left;
-    if (right.gap < best) stack[top++] = right;
-  }
-  if (answer.found) answer.distance = std::sqrt(best);
-  return answer;
+  const segment_lanes::Found found = find(ring, limit * limit, without, false);
+  if (found.segment == segment_lanes::none) return answer;
+  const Segment& s = segments_[found.segment];
+  return {std::sqrt(found.squared), nearest_on(s, ring), s.source, true};
+}
+
+double ObstacleIndex::distance(std::span<const Vec2> ring, double limit, std::size_t without) const {
+  if (nodes_.empty() || ring.empty() || !(limit > 0.0)) return limit;
+  const segment_lanes::Found found = find(ring, limit * limit, without, false);
+  return found.segment == segment_lanes::none ? limit : std::sqrt(found.squared);
+}
+
+double ObstacleIndex::distance(const segment_lanes::Outline& outline, double limit, std::uint32_t& hint) const {
+  if (nodes_.empty() || !(limit > 0.0)) return limit;
+  const segment_lanes::Found found = kernels().nearest(tree(), outline, limit * limit, segment_lanes::none, false, hint);
+  if (found.segment == segment_lanes::none) return limit;
+  hint = found.segment;
+  return std::sqrt(found.squared);
 }
 
 bool ObstacleIndex::is_clear(std::span<const Vec2> ring, double margin) const {
   if (nodes_.empty() || ring.empty()) return true;
   // "≤ margin is a hit": look just beyond the margin.
   const double limit = std::nextafter(std::max(margin, 0.0), std::numeric_limits<double>::infinity());
-  const Box box = box_of(ring);
-  const Outline outline{ring};
-  const double limit2 = margin > 0.0 ? limit * limit : std::numeric_limits<double>::min();
-  std::array<std::uint32_t, 128> stack;
-  std::size_t top = 0;
-  stack[top++] = 0;
-  while (top > 0) {
-    const std::uint32_t index = stack[--top];
-    const Node& node = nodes_[index];
-    if (squared_gap(node.box, box) >= limit2) continue;
-    if (node.count == 0) {
-      stack[top++] = index + 1;
-      stack[top++] = node.first;
-      continue;
-    }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const Segment& s = segments_[i];
-      const double gap = squared_gap(box_of(s), box);
-      if (gap < limit2 && outline.nearest(s, gap > 0.0).squared < limit2) return false;
-    }
-  }
-  return true;
+  const double squared = margin > 0.0 ? limit * limit : std::numeric_limits<double>::min();
+  return find(ring, squared, segment_lanes::none, true).segment == segment_lanes::none;
 }
 
 }  // namespace waywright

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "waywright/geometry/lanes/kernels.hpp"
 #include "waywright/geometry/polygon.hpp"
 
 namespace waywright {
@@ -17,6 +18,7 @@ struct Segment {
   Vec2 a{};
   Vec2 b{};
   std::uint32_t source = 0;  ///< who owns it, for messages
+  bool end_begins_another = false;  ///< b is the a of another segment of the same source, as in a ring: it need not be looked at twice
 };
 
 struct Nearest {
@@ -34,12 +36,18 @@ class ObstacleIndex {
   bool empty() const { return segments_.empty(); }
   std::size_t size() const { return segments_.size(); }
   const std::vector<Segment>& segments() const { return segments_; }
-  const Box& bounds() const { return nodes_.front().box; }  ///< @pre not empty
+  const Box& bounds() const { return bounds_; }  ///< @pre not empty
+
+  segment_lanes::Tree tree() const { return {nodes_.data(), blocks_.data()}; }  ///< as the kernels take it. @pre not empty
 
   /// Nearest segment to the area of a closed ring (world frame; one point or two are a point or a segment), exact, looked
   /// for below `limit`, segments of the source `without` left out. Laws: distance ≥ 0; unchanged by a rigid motion of both up to
   /// rounding; 0 where they overlap.
   Nearest nearest(std::span<const Vec2> ring, double limit, std::size_t without = static_cast<std::size_t>(-1)) const;
+  /// The distance alone: cheaper. `limit` where nothing is nearer.
+  double distance(std::span<const Vec2> ring, double limit, std::size_t without = static_cast<std::size_t>(-1)) const;
+  /// For an outline that is ready. `hint` (segment_lanes::none at first): which segment was nearest the last time.
+  double distance(const segment_lanes::Outline& outline, double limit, std::uint32_t& hint) const;
   /// True where nothing is within `margin` (≤) of the ring's area.
   bool is_clear(std::span<const Vec2> ring, double margin) const;
 
@@ -63,30 +71,27 @@ class ObstacleIndex {
   }
 
  private:
-  static constexpr std::size_t deepest = 128;  ///< entries of a traversal's stack: the tree is balanced
-  struct Node {
-    Box box;
-    std::uint32_t first = 0;  ///< leaf: first segment; inner: right child (left child is the next node)
-    std::uint32_t count = 0;  ///< 0: inner
-  };
-  /// Leaves of the boxes that are wanted; ends, false, where `go_on` does not want to.
+  /// Segments of the blocks whose boxes are wanted; ends, false, where `go_on` does not want to.
   template <class Wanted, class GoOn>
   bool traverse(Wanted&& wanted, GoOn&& go_on) const {
     if (nodes_.empty()) return true;
-    std::array<std::uint32_t, deepest> stack;
-    std::size_t top = 0;
-    stack[top++] = 0;
-    while (top > 0) {
-      const std::uint32_t index = stack[--top];
-      const Node& node = nodes_[index];
-      if (!wanted(node.box)) continue;
-      if (node.count == 0) {
-        stack[top++] = index + 1;
-        stack[top++] = node.first;
-        continue;
-      }
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-        if (!go_on(segments_[i])) return false;
+    std::array<std::uint32_t, segment_lanes::deepest> waiting;
+    std::size_t count = 0;
+    waiting[count++] = 0;
+    while (count > 0) {
+      const segment_lanes::Node& node = nodes_[waiting[--count]];
+      for (int k = 0; k < node.count; ++k) {
+        const segment_lanes::Boxes& b = node.boxes[k / segment_lanes::width];
+        const int lane = k % segment_lanes::width;
+        if (!wanted(Box{{b.low_x[lane], b.low_y[lane]}, {b.high_x[lane], b.high_y[lane]}})) continue;
+        if (!node.holds_blocks) {
+          waiting[count++] = node.child[k];
+          continue;
+        }
+        const std::size_t first = static_cast<std::size_t>(node.child[k]) * segment_lanes::width;
+        for (std::size_t i = first; i < std::min(segments_.size(), first + segment_lanes::width); ++i) {
+          if (!go_on(segments_[i])) return false;
+        }
       }
     }
     return true;
@@ -100,10 +105,17 @@ class ObstacleIndex {
     return dx * dx + dy * dy;
   }
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
+  Box box_of(std::uint32_t begin, std::uint32_t end) const;
+  segment_lanes::Found find(std::span<const Vec2> ring, double squared, std::size_t without, bool any) const;
 
-  std::vector<Segment> segments_;
-  std::vector<Node> nodes_;
+  std::vector<Segment> segments_;  ///< eight after eight in the blocks
+  std::vector<segment_lanes::Node> nodes_;
+  std::vector<segment_lanes::Block> blocks_;
+  Box bounds_{};
 };
+
+/// An outline as the kernels take it, which looks at the ring's corners. @pre the ring, not empty, outlives it unmoved
+void make_ready(std::span<const Vec2> ring, segment_lanes::Outline& outline);
 
 /// Least distance between two closed segments; 0 where they cross. `on_b` receives the nearest point of b.
 double segment_distance(Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1, Vec2* on_b = nullptr);

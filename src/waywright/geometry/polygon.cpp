@@ -24,7 +24,7 @@ double signed_area(const Ring& ring) {
   return 0.5 * twice;
 }
 
-bool contains(const Ring& ring, Vec2 point) {
+bool contains(std::span<const Vec2> ring, Vec2 point) {
   bool in = false;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
     const Vec2 a = ring[i];

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ Box bounding_box(const std::vector<Vec2>& points);  ///< @pre not empty
 double signed_area(const Ring& ring);
 
 /// Inside or on the edge. Even-odd rule; exact on the edge up to rounding.
-bool contains(const Ring& ring, Vec2 point);
+bool contains(std::span<const Vec2> ring, Vec2 point);
 
 /// Counter-clockwise convex hull without collinear corners.
 Ring convex_hull(std::vector<Vec2> points);

@@ -4,6 +4,7 @@
 
 #include "waywright/core/version.hpp"
 #include "waywright/judge/entry.hpp"
+#include "waywright/map/clearance_along.hpp"
 #include "waywright/metrics/metrics.hpp"
 #include "waywright/proof/limits.hpp"
 #include "waywright/speed/speed.hpp"
@@ -39,9 +40,10 @@ std::string joined(const std::vector<Violation>& violations) {
 
 std::vector<double> clearances_along(const Problem& problem, const Path& path, const std::vector<Sample>& samples) {
   const std::optional<std::size_t> pocket_piece = problem.pocket_piece(path);
+  ClearanceAlong along{problem.world(), problem.footprint(), clearance_cap};
   return clearances(samples, [&](const Sample& s) {
     const bool in_shelf = pocket_piece == s.piece && s.pose().position() != problem.pocket()->outer.position();
-    if (!in_shelf) return problem.world().clearance(problem.footprint(), s.pose(), clearance_cap).clearance;
+    if (!in_shelf) return along.at(s.pose());
     return contacts_at(*problem.pocket(), problem.world(), problem.footprint(), s.pose(), clearance_cap).vehicle.clearance;
   });
 }

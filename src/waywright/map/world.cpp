@@ -55,7 +55,7 @@ std::size_t World::add_source(std::string name, bool boundary, bool solid) {
 
 void World::add_ring_edges(const Ring& ring, std::size_t source) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    segments_.push_back({ring[i], ring[(i + 1) % ring.size()], static_cast<std::uint32_t>(source)});
+    segments_.push_back({ring[i], ring[(i + 1) % ring.size()], static_cast<std::uint32_t>(source), true});
   }
 }
 
@@ -73,33 +73,38 @@ std::size_t World::add_obstacle(const Ring& ring, std::string name) {
   return source;
 }
 
-/// The outline between blocked and free cells, straight runs merged: with the inside test it is the exact union of the cells.
+/// The outline between blocked and free cells, straight runs merged: with the inside test it is the exact union of the cells. What is blocked is on
+/// the left of each segment, so that where one ends another begins.
 void World::add_grid(const CellGrid& grid) {
   const std::size_t source = add_source((grid.name.empty() ? std::string{"the grid"} : grid.name) + " (blocked cell)", false, false);
   grid_sources_.push_back(source);
-  const auto id = static_cast<std::uint32_t>(source);
   const auto blocked = [&grid](int column, int row) {
     if (column < 0 || row < 0 || column >= grid.columns || row >= grid.rows) return grid.bounds;
     return grid.is_blocked(column, row);
   };
   const Frame frame{grid.origin};
-  const auto corner = [&](int column, int row) {
-    return frame.to_world(Vec2{column * grid.cell, (grid.rows - row) * grid.cell});
+  const auto add = [&](int column, int row, int to_column, int to_row, bool is_forward) {
+    Vec2 a = frame.to_world(Vec2{column * grid.cell, (grid.rows - row) * grid.cell});
+    Vec2 b = frame.to_world(Vec2{to_column * grid.cell, (grid.rows - to_row) * grid.cell});
+    if (!is_forward) std::swap(a, b);
+    segments_.push_back({a, b, static_cast<std::uint32_t>(source), true});
   };
   for (int row = 0; row <= grid.rows; ++row) {
-    for (int column = 0; column < grid.columns; ++column) {
-      if (blocked(column, row - 1) == blocked(column, row)) continue;
+    for (int column = 0; column < grid.columns;) {
       const int first = column;
-      while (column < grid.columns && blocked(column, row - 1) != blocked(column, row)) ++column;
-      segments_.push_back({corner(first, row), corner(column, row), id});
+      const bool above = blocked(column, row - 1);
+      if (above == blocked(column++, row)) continue;
+      while (column < grid.columns && blocked(column, row - 1) == above && blocked(column, row) != above) ++column;
+      add(first, row, column, row, above);
     }
   }
   for (int column = 0; column <= grid.columns; ++column) {
-    for (int row = 0; row < grid.rows; ++row) {
-      if (blocked(column - 1, row) == blocked(column, row)) continue;
+    for (int row = 0; row < grid.rows;) {
       const int first = row;
-      while (row < grid.rows && blocked(column - 1, row) != blocked(column, row)) ++row;
-      segments_.push_back({corner(column, first), corner(column, row), id});
+      const bool left = blocked(column - 1, row);
+      if (left == blocked(column, row++)) continue;
+      while (row < grid.rows && blocked(column - 1, row) == left && blocked(column, row) != left) ++row;
+      add(column, first, column, row, !left);
     }
   }
 }
@@ -107,6 +112,9 @@ void World::add_grid(const CellGrid& grid) {
 void World::build() {
   index_ = ObstacleIndex{std::move(segments_)};
   segments_.clear();
+  std::vector<Box> boxes;
+  for (const NamedRing& obstacle : obstacles_) boxes.push_back(obstacle.box);
+  obstacle_bins_ = RingBins{boxes};
 }
 
 bool World::inside_blocked(Vec2 point, Contact& contact, std::size_t without) const {
@@ -118,7 +126,8 @@ bool World::inside_blocked(Vec2 point, Contact& contact, std::size_t without) co
     contact.outside = true;
     return true;
   }
-  for (const NamedRing& obstacle : obstacles_) {
+  for (const std::uint32_t i : obstacle_bins_.near(point)) {
+    const NamedRing& obstacle = obstacles_[i];
     if (obstacle.source == without || !obstacle.box.contains(point) || !contains(obstacle.ring, point)) continue;
     contact.source = obstacle.source;
     return true;
@@ -154,6 +163,16 @@ Contact World::clearance(std::span<const Vec2> ring, double radius, double enoug
 
 Contact World::clearance(const Footprint& footprint, const Pose& pose, double enough, std::size_t without) const {
   return clearance(PlacedOutline{footprint, pose}.ring(), footprint.is_disc() ? footprint.disc : 0.0, enough, without);
+}
+
+double World::least_clearance(std::span<const Vec2> ring, double radius, double enough, std::size_t without) const {
+  Contact contact;
+  if (inside_blocked(ring.front(), contact, without)) return 0.0;
+  return std::max(0.0, index_.distance(ring, enough + radius, without) - radius);
+}
+
+double World::least_clearance(const Footprint& footprint, const Pose& pose, double enough, std::size_t without) const {
+  return least_clearance(PlacedOutline{footprint, pose}.ring(), footprint.is_disc() ? footprint.disc : 0.0, enough, without);
 }
 
 bool World::is_free(const Footprint& footprint, const Pose& pose, double margin) const {

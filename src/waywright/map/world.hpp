@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "waywright/map/map.hpp"
+#include "waywright/map/ring_bins.hpp"
 #include "waywright/geometry/obstacle_index.hpp"
 #include "waywright/vehicle/vehicle.hpp"
 
@@ -40,6 +41,10 @@ class World {
 
   /// The same for the area of a closed ring in the world frame (one or two points allowed), grown by `radius`.
   Contact clearance(std::span<const Vec2> ring, double radius, double enough, std::size_t without = nothing) const;
+
+  /// The number alone, cheaper: what stands there is not looked for.
+  double least_clearance(const Footprint& footprint, const Pose& pose, double enough, std::size_t without = nothing) const;
+  double least_clearance(std::span<const Vec2> ring, double radius, double enough, std::size_t without = nothing) const;
 
   /// True where clearance(footprint, pose) > margin. Cheaper than asking for the distance.
   bool is_free(const Footprint& footprint, const Pose& pose, double margin) const;
@@ -86,6 +91,7 @@ class World {
   Map map_;
   std::vector<NamedRing> boundaries_;
   std::vector<NamedRing> obstacles_;
+  RingBins obstacle_bins_;
   std::vector<Source> sources_;
   std::vector<Segment> segments_;  ///< until build()
   ObstacleIndex index_;

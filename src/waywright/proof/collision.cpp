@@ -115,7 +115,7 @@ class Search {
       for (const Vec2 p : part) corners.push_back(end.to_world(p));
       convex_hull(corners, memory_.hull);
       ++best_.queries;
-      least = std::min(least, world_.clearance(memory_.hull, body_.grown, least, options_.without).clearance);
+      least = std::min(least, world_.least_clearance(memory_.hull, body_.grown, least, options_.without));
     }
     return {least - deviation, deviation};
   }

@@ -5,62 +5,15 @@
 
 #include "waywright/curve/gauss.hpp"
 #include "waywright/curve/lanes/kernels.hpp"
+#include "waywright/core/lanes/sin_cos.inl"
 
 namespace waywright::clothoid_lanes {
 namespace {
 
-using Doubles = double __attribute__((vector_size(64)));
-using Bits = std::int64_t __attribute__((vector_size(64)));
-
-inline Doubles all(double x) { return Doubles{x, x, x, x, x, x, x, x}; }
-inline Bits bits_of(Doubles x) {
-  Bits b;
-  __builtin_memcpy(&b, &x, sizeof b);
-  return b;
-}
-inline Doubles doubles_of(Bits b) {
-  Doubles x;
-  __builtin_memcpy(&x, &b, sizeof x);
-  return x;
-}
-
-struct SinCosLanes {
-  Doubles sin, cos;
-};
-
-/// As core/elementary: Cody and Waite's reduction by multiples of π/2, Taylor on [−π/4, π/4].
-inline SinCosLanes sin_cos(Doubles x) {
-  constexpr double magic = 0x1.8p52;  // adding it leaves the nearest whole number in the last bits
-  const Doubles shifted = x * (2.0 / 3.14159265358979323846) + magic;
-  const Doubles k = shifted - magic;
-  const Bits quadrant = bits_of(shifted);
-  const Doubles r = ((x - k * 1.5707963267341256) - k * 6.077100506303966e-11) - k * 2.0222662487959506e-21;
-  const Doubles z = r * r;
-  Doubles p = all(1.0 / 355687428096000.0);  // 1/17!
-  p = p * z - 1.0 / 1307674368000.0;
-  p = p * z + 1.0 / 6227020800.0;
-  p = p * z - 1.0 / 39916800.0;
-  p = p * z + 1.0 / 362880.0;
-  p = p * z - 1.0 / 5040.0;
-  p = p * z + 1.0 / 120.0;
-  p = p * z - 1.0 / 6.0;
-  const Bits s = bits_of(r + r * (z * p));
-  Doubles q = all(-1.0 / 6402373705728000.0);  // 1/18!
-  q = q * z + 1.0 / 20922789888000.0;
-  q = q * z - 1.0 / 87178291200.0;
-  q = q * z + 1.0 / 479001600.0;
-  q = q * z - 1.0 / 3628800.0;
-  q = q * z + 1.0 / 40320.0;
-  q = q * z - 1.0 / 720.0;
-  q = q * z + 1.0 / 24.0;
-  const Doubles h = 0.5 * z;
-  const Doubles w = 1.0 - h;
-  const Bits c = bits_of(w + ((1.0 - w - h) + z * z * q));
-  const Bits is_odd = -(quadrant & 1);
-  const Bits sin_sign = (quadrant & 2) << 62;
-  const Bits cos_sign = ((quadrant + 1) & 2) << 62;
-  return {doubles_of(((is_odd & c) | (~is_odd & s)) ^ sin_sign), doubles_of(((is_odd & s) | (~is_odd & c)) ^ cos_sign)};
-}
+using eight_lanes::all;
+using eight_lanes::Doubles;
+using eight_lanes::sin_cos;
+using eight_lanes::SinCosLanes;
 
 /// In a fixed order.
 inline double sum(Doubles x) { return ((x[0] + x[1]) + (x[2] + x[3])) + ((x[4] + x[5]) + (x[6] + x[7])); }
@@ -96,6 +49,108 @@ Moments moments(double a, double delta, double phi0, int panels) {
     sums.add(middle + half * node, half * weight, a, delta, phi0);
   }
   return {sum(sums.along), sum(sums.across), sum(sums.along_slope), sum(sums.across_slope)};
+}
+
+inline Doubles loaded(const double* from) {
+  Doubles v;
+  __builtin_memcpy(&v, from, sizeof v);
+  return v;
+}
+
+/// Of eight problems, lane by lane: moments and their first two derivatives after A.
+struct Derivatives {
+  Doubles along{}, across{}, along_1{}, across_1{}, along_2{}, across_2{};
+};
+
+template <std::size_t n>
+inline Derivatives integrate(const GaussHalf<n>& rule, int panels, Doubles a, Doubles delta, Doubles phi0) {
+  Derivatives m;
+  const double half = 0.5 / panels;
+  for (int panel = 0; panel < panels; ++panel) {
+    const double middle = (2.0 * panel + 1.0) * half;
+    for (std::size_t i = 0; i < 2 * n; ++i) {
+      const double t = i < n ? middle - half * rule.node[i] : middle + half * rule.node[i - n];
+      const double weight = half * rule.weight[i < n ? i : i - n];
+      const SinCosLanes p = sin_cos(phi0 + t * ((delta - a) + a * t));
+      const double bulge = t * t - t;
+      m.along += weight * p.cos;
+      m.across += weight * p.sin;
+      m.along_1 -= weight * bulge * p.sin;
+      m.across_1 += weight * bulge * p.cos;
+      m.along_2 -= weight * bulge * bulge * p.cos;
+      m.across_2 -= weight * bulge * bulge * p.sin;
+    }
+  }
+  return m;
+}
+
+inline double magnitude(double x) { return x < 0.0 ? -x : x; }
+
+/// Halley's method: the error is cubed. The first look may be coarse: 8 points on a panel of 8 rad are off by 1e-8.
+void fit(Fits& fits, double widest, double least_share) {
+  constexpr int most_steps = 12;
+  constexpr double near_root = 1e-5;  // of ∫ sin P and of A, from where one more step is enough
+  const Doubles delta = loaded(fits.delta), phi0 = loaded(fits.phi0);
+  bool is_open[width];
+  for (int k = 0; k < width; ++k) {
+    is_open[k] = true;
+    fits.solved[k] = false;
+  }
+  int open = width;
+  for (int step = 0; step < most_steps && open > 0; ++step) {
+    const Doubles a = loaded(fits.a);
+    double turning = 0.0;  // greatest slope of a phase that is looked at
+    for (int k = 0; k < width; ++k) {
+      const double own = magnitude(fits.delta[k]) + magnitude(fits.a[k]);
+      if (is_open[k] && own > turning) turning = own;
+    }
+    const int panels = 1 + static_cast<int>(turning / 8.0);
+    const bool is_exact = step > 0 || turning <= 1.0;
+    const Derivatives m = turning <= 1.0 || step == 0 ? integrate(gauss_8, panels, a, delta, phi0) : integrate(gauss_16, panels, a, delta, phi0);
+    const Doubles by = -2.0 * m.across * m.across_1 / (2.0 * m.across_1 * m.across_1 - m.across * m.across_2);
+    const Doubles next = a + by;
+    const Doubles share = m.along + by * (m.along_1 + 0.5 * by * m.along_2);
+    for (int k = 0; k < width; ++k) {
+      if (!is_open[k]) continue;
+      const bool is_lost = !(magnitude(next[k]) <= widest);  // or not a number
+      const bool is_there = is_exact && magnitude(m.across[k]) <= near_root && magnitude(by[k]) <= near_root;
+      fits.a[k] = is_lost ? 0.0 : next[k];
+      if (!is_lost && !is_there) continue;
+      is_open[k] = false;
+      --open;
+      fits.share[k] = share[k];
+      fits.solved[k] = !is_lost && share[k] >= least_share;
+    }
+  }
+}
+
+template <std::size_t n>
+inline void add_steps(const GaussHalf<n>& rule, double heading, double curvature, double rate, Doubles begin, double h, Steps& out) {
+  Doubles dx{}, dy{};
+  const double half = 0.5 * h;
+  const Doubles middle = begin + half;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (const double side : {-1.0, 1.0}) {
+      const Doubles s = middle + side * half * rule.node[i];
+      const SinCosLanes p = sin_cos(heading + s * (curvature + 0.5 * rate * s));
+      dx += rule.weight[i] * p.cos;
+      dy += rule.weight[i] * p.sin;
+    }
+  }
+  dx *= all(half);
+  dy *= all(half);
+  __builtin_memcpy(out.dx, &dx, sizeof dx);
+  __builtin_memcpy(out.dy, &dy, sizeof dy);
+}
+
+void steps(double heading, double curvature, double rate, double s0, double h, int points, Steps& out) {
+  const Doubles begin = s0 + h * Doubles{0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
+  switch (points) {
+    case 4: return add_steps(gauss_4, heading, curvature, rate, begin, h, out);
+    case 6: return add_steps(gauss_6, heading, curvature, rate, begin, h, out);
+    case 8: return add_steps(gauss_8, heading, curvature, rate, begin, h, out);
+    default: return add_steps(gauss_16, heading, curvature, rate, begin, h, out);
+  }
 }
 
 }  // namespace

@@ -3,6 +3,6 @@
 namespace waywright::clothoid_lanes {
 
 extern const Kernels avx2_kernels;
-const Kernels avx2_kernels{"avx2", moments};
+const Kernels avx2_kernels{"avx2", moments, fit, steps};
 
 }  // namespace waywright::clothoid_lanes

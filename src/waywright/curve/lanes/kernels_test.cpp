@@ -28,6 +28,39 @@ TEST(ClothoidLanes, EveryInstructionSetGivesTheSameBits) {
   }
 }
 
+TEST(ClothoidLanes, FitsAndStepsAreTheSameBits) {
+  Random random{3};
+  for (int i = 0; i < 5000; ++i) {
+    clothoid_lanes::Fits fits;
+    for (int k = 0; k < clothoid_lanes::width; ++k) {
+      fits.phi0[k] = random.uniform(-3.1, 3.1);
+      fits.delta[k] = random.uniform(-3.1, 3.1) - fits.phi0[k];
+      fits.a[k] = random.uniform(-9, 9);
+    }
+    const double heading = random.uniform(-3, 3), curvature = random.uniform(-2, 2), rate = random.uniform(-1, 1), s0 = random.uniform(0, 5), h = random.uniform(0.01, 0.5);
+    const int points = 4 + 2 * static_cast<int>(random.integer(0, 3));
+    clothoid_lanes::Fits first_fits = fits;
+    clothoid_lanes::Steps first_steps;
+    clothoid_lanes::available().front().fit(first_fits, 24.0, 0.02);
+    clothoid_lanes::available().front().steps(heading, curvature, rate, s0, h, points, first_steps);
+    for (const Kernels& kernels : clothoid_lanes::available()) {
+      clothoid_lanes::Fits own = fits;
+      clothoid_lanes::Steps steps;
+      kernels.fit(own, 24.0, 0.02);
+      kernels.steps(heading, curvature, rate, s0, h, points, steps);
+      for (int k = 0; k < clothoid_lanes::width; ++k) {
+        EXPECT_EQ(own.solved[k], first_fits.solved[k]) << kernels.name;
+        if (own.solved[k]) {
+          EXPECT_EQ(own.a[k], first_fits.a[k]) << kernels.name;
+          EXPECT_EQ(own.share[k], first_fits.share[k]) << kernels.name;
+        }
+        EXPECT_EQ(steps.dx[k], first_steps.dx[k]) << kernels.name;
+        EXPECT_EQ(steps.dy[k], first_steps.dy[k]) << kernels.name;
+      }
+    }
+  }
+}
+
 TEST(ClothoidLanes, MomentsAreTheIntegrals) {
   Random random{2};
   for (int i = 0; i < 200; ++i) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "waywright/map/clearance_along.hpp"
+
 namespace waywright {
 namespace {
 
@@ -40,7 +42,8 @@ std::optional<Fitness> fitness_for(WaypointObjective objective) {
 class Nearness {
  public:
   Nearness(const Problem& problem, const MapObjects& objects, const WaypointOptions& options)
-      : problem_{problem}, objects_{objects}, required_{problem.required_clearance()}, wanted_{options.wanted_clearance}, radius_{problem.footprint().radius()} {}
+      : objects_{objects}, required_{problem.required_clearance()}, wanted_{options.wanted_clearance}, radius_{problem.footprint().radius()},
+        along_{problem.world(), problem.footprint(), required_ + wanted_} {}
 
   double barrier() const { return barrier_; }  ///< m
   double lacking() const { return lacking_; }  ///< m, length that is too near, longer the nearer
@@ -60,7 +63,7 @@ class Nearness {
   static constexpr double softest = 0.02;  // of what is wanted: nearer than that counts as that
 
   double beyond(const Pose& pose) {
-    const double clearance = problem_.world().clearance(problem_.footprint(), pose, required_ + wanted_).clearance;
+    const double clearance = along_.at(pose);
     const double beyond = clearance > 0.0 ? std::min(clearance - required_, wanted_) : -required_ - objects_.depth_of(pose);
     least_ = std::min(least_, beyond);
     return beyond;
@@ -81,9 +84,9 @@ class Nearness {
     }
   }
 
-  const Problem& problem_;
   const MapObjects& objects_;
   double required_, wanted_, radius_;
+  ClearanceAlong along_;
   double before_ = 0.0;
   double barrier_ = 0.0, lacking_ = 0.0;
   double least_ = std::numeric_limits<double>::infinity();

@@ -1,6 +1,7 @@
 #include "waywright/planner/waypoint/chain.hpp"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 
 #include "waywright/curve/clothoid.hpp"
@@ -8,9 +9,11 @@
 namespace waywright {
 
 std::optional<Clothoids> chain_through(std::span<const Pose> poses, Continuity continuity, std::span<const double> bends) {
+  boost::container::small_vector<std::optional<Clothoid>, 16> legs(poses.size() - 1);
+  fit_clothoid_batch(poses.first(poses.size() - 1), poses.subspan(1), {legs.data(), legs.size()});
   Clothoids singles;
-  for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
-    const auto leg = fit_clothoid(poses[i], poses[i + 1]);
+  singles.reserve(legs.size());
+  for (const auto& leg : legs) {
     if (!leg) return std::nullopt;
     singles.push_back(*leg);
   }
@@ -54,24 +57,21 @@ double greatest_curvature_rate(const Clothoids& chain) {
 
 void sample_evenly(const Clothoids& chain, std::size_t n, std::vector<Pose>& poses) {
   poses.clear();
+  poses.reserve(n);
   const double step = length_of(chain) / static_cast<double>(n - 1);
-  std::size_t leg = 0;
-  double begin = 0.0;
-  // From sample to sample: what lies between turns by little.
-  Clothoid rest = chain.front();
-  double done = 0.0;  // m of the leg that `rest` leaves out
-  for (std::size_t i = 0; i < n; ++i) {
-    const double s = std::min(static_cast<double>(i) * step, begin + chain[leg].length + step);
-    while (leg + 1 < chain.size() && s > begin + chain[leg].length) {
-      begin += chain[leg].length;
-      rest = chain[++leg];
-      done = 0.0;
+  double begin = 0.0;  // m, of the leg
+  for (std::size_t leg = 0; leg < chain.size(); ++leg) {
+    const double end = begin + chain[leg].length;
+    const std::size_t first = poses.size();
+    // What rounding leaves beyond the end is of the next leg, or the end itself.
+    const auto last = leg + 1 == chain.size() ? n - 1 : static_cast<std::size_t>(std::clamp(std::floor(end / step), 0.0, static_cast<double>(n - 1)));
+    if (first > last) {
+      begin = end;
+      continue;
     }
-    const double here = std::clamp(s - begin, 0.0, chain[leg].length);
-    const CurvePoint point = evaluate(rest, here - done);
-    poses.push_back(make_pose(point.position, point.course));
-    rest = {make_pose(point.position, course_at(chain[leg], here)), chain[leg].curvature + chain[leg].curvature_rate * here, chain[leg].curvature_rate, chain[leg].length - here};
-    done = here;
+    const double here = static_cast<double>(first) * step - begin;
+    sample_clothoid(chain[leg], std::clamp(here, 0.0, chain[leg].length), step, last - first + 1, poses);
+    begin = end;
   }
 }
 

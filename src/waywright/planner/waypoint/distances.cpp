@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "waywright/map/clearance_along.hpp"
+
 namespace waywright {
 namespace {
 
@@ -90,7 +92,7 @@ void MapObjects::measure_corners(const Pose& pose, bool wants_greatest, Trajecto
   double deepest = 0.0;
   for (const Vec2 corner : corners_) {
     const Vec2 at = frame.to_world(corner);
-    const double d = problem_.world().clearance(std::span{&at, 1}, radius_, std::max(least, 1e-9)).clearance;
+    const double d = problem_.world().least_clearance(std::span{&at, 1}, radius_, std::max(least, 1e-9));
     least = std::min(least, d);
     if (d <= 0.0) deepest = std::max(deepest, corner_depth(at));
     if (!wants_greatest) continue;
@@ -105,7 +107,7 @@ double MapObjects::depth_of(const Pose& pose) const {
   double deepest = least_depth;
   for (const Vec2 corner : corners_) {
     const Vec2 at = frame.to_world(corner);
-    if (problem_.world().clearance(std::span{&at, 1}, radius_, 1e-9).clearance <= 0.0) deepest = std::max(deepest, corner_depth(at));
+    if (problem_.world().least_clearance(std::span{&at, 1}, radius_, 1e-9) <= 0.0) deepest = std::max(deepest, corner_depth(at));
   }
   if (radius_ > 0.0) return deepest;
   // Ends of edges in the footprint.
@@ -126,14 +128,14 @@ void MapObjects::measure(std::span<const Pose> poses, FitnessForm form, bool wan
   measures.depth.clear();
   measures.greatest = 0.0;
   measures.reference = reference_;
-  for (const Pose& pose : poses) {
-    if (form == FitnessForm::published) {
-      measure_corners(pose, wants_greatest, measures);
-      continue;
-    }
-    const double clearance = std::min(reference_, problem_.world().clearance(problem_.footprint(), pose, reference_).clearance);
-    measures.distance.push_back(clearance);
-    measures.depth.push_back(clearance > 0.0 ? 0.0 : depth_of(pose));
+  if (form == FitnessForm::published) {
+    for (const Pose& pose : poses) measure_corners(pose, wants_greatest, measures);
+    return;
+  }
+  ClearanceAlong{problem_.world(), problem_.footprint(), reference_}.at(poses, measures.distance);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const double clearance = measures.distance[i];
+    measures.depth.push_back(clearance > 0.0 ? 0.0 : depth_of(poses[i]));
     measures.greatest = std::max(measures.greatest, clearance);
   }
 }
