@@ -102,7 +102,7 @@ std::string clearances_svg(const Problem& problem, const std::vector<std::pair<s
   for (std::size_t i = 0; i < plans.size(); ++i) {
     const auto& [name, plan] = plans[i];
     if (plan->samples.empty()) continue;
-    ChartSeries series{fmt::format("{} ({})", name, to_string(plan->status)), overlay_colour(i), {}, {}};
+    ChartSeries series{fmt::format("{} ({})", name, to_string(plan->status)), stroke_attributes(overlay_stroke(i)), {}, {}};
     const std::vector<double> clearance = clearances_along(problem, plan->path, plan->samples);
     for (std::size_t k = 0; k < clearance.size(); ++k) {
       series.s.push_back(plan->samples[k].s);
