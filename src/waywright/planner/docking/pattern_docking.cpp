@@ -59,7 +59,7 @@ PlanningResult PatternDockingPlanner::plan(const PreparedDocking& prepared, Budg
   }
   PlanningFailure& both = second.error();
   failure.failure.status = both.failure.status;
-  failure.failure.reason += fmt::format("; the second choice {} found none either", fallback_->name());
+  failure.failure.reason += fmt::format("; the second choice {} found none either: {}", fallback_->name(), both.failure.reason);
   failure.explanation.insert(failure.explanation.end(), both.explanation.begin(), both.explanation.end());
   failure.failure.pose = both.failure.pose;
   if (both.failure.point) failure.failure.point = both.failure.point;
