@@ -186,14 +186,20 @@ TEST(Words, ReasonAndExplanationDoNotRepeatEachOther) {
   Plan plan;
   plan.reason = "no pattern fits. On the left side a box stands. On the right side too";
   plan.explanation = {"On the left side a box stands.", "On the right side too."};
-  EXPECT_EQ(reason_once(plan), "No pattern fits.");
+  EXPECT_EQ(reason_once(plan, false), "No pattern fits.");
   EXPECT_EQ(explanation_once(plan, false), plan.explanation);
   plan.alternatives = {{"left side", false, {}, "On the left side a box stands.", {}, {}}};
   EXPECT_EQ(explanation_once(plan, true), std::vector<std::string>{"On the right side too."});
   // A reason of its own stays whole, and a sentence that only wraps it goes.
   plan.reason = "the path touches obstacle 0";
   plan.explanation = {"Imported poses.", "This path is not proven: the path touches obstacle 0."};
-  EXPECT_EQ(reason_once(plan), "The path touches obstacle 0.");
+  EXPECT_EQ(reason_once(plan, false), "The path touches obstacle 0.");
+  // Beside the table of what was tried, what that tells is left out.
+  plan.explanation.clear();
+  plan.reason = "no pattern fits; the second choice found none either: it ran out of budget";
+  plan.alternatives = {{"RRTConnect", false, std::nullopt, "it ran out of budget.", {}, {}}};
+  EXPECT_EQ(reason_once(plan, false), "No pattern fits; the second choice found none either: it ran out of budget.");
+  EXPECT_EQ(reason_once(plan, true), "No pattern fits; the second choice found none either.");
   EXPECT_EQ(explanation_once(plan, false), std::vector<std::string>{"Imported poses."});
 }
 
