@@ -194,13 +194,13 @@ TEST(Words, ReasonAndExplanationDoNotRepeatEachOther) {
   plan.reason = "the path touches obstacle 0";
   plan.explanation = {"Imported poses.", "This path is not proven: the path touches obstacle 0."};
   EXPECT_EQ(reason_once(plan, false), "The path touches obstacle 0.");
+  EXPECT_EQ(explanation_once(plan, false), std::vector<std::string>{"Imported poses."});
   // Beside the table of what was tried, what that tells is left out.
   plan.explanation.clear();
   plan.reason = "no pattern fits; the second choice found none either: it ran out of budget";
   plan.alternatives = {{"RRTConnect", false, std::nullopt, "it ran out of budget.", {}, {}}};
   EXPECT_EQ(reason_once(plan, false), "No pattern fits; the second choice found none either: it ran out of budget.");
   EXPECT_EQ(reason_once(plan, true), "No pattern fits; the second choice found none either.");
-  EXPECT_EQ(explanation_once(plan, false), std::vector<std::string>{"Imported poses."});
 }
 
 TEST(Words, WorkThatWasCutShortIsSaid) {
