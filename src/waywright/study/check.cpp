@@ -95,7 +95,10 @@ Parsed<std::optional<Checked>> check_one(const Place& place, std::size_t index, 
   const std::string key = key_of(place);
   const fs::path folder = options.folder / place.folder;
   if (!options.fresh) {
-    if (auto kept = kept_result(folder, key)) return Checked{index, true, std::move(*kept)};
+    if (auto kept = kept_result(folder, key)) {
+      kept->name = place.name;  // of a scenario without one: its file may have another by now
+      return Checked{index, true, std::move(*kept)};
+    }
   }
   const auto of_place = [&](InputError error) {
     error.file = place.origin;
@@ -175,6 +178,7 @@ Parsed<void> complete_places(std::vector<Place>& places) {
     };
     auto parameters = complete_parameters(place.scenario.planner);
     if (!parameters) return refuse(parameters.error());
+    if (auto takes = check_mission(place.scenario.planner.name, place.scenario); !takes) return refuse(takes.error());
     if (auto kept = check_budget(place.scenario.planner.name, *parameters, place.scenario.budget); !kept) return refuse(kept.error());
     place.scenario.planner.parameters = std::move(*parameters);
     place.folder = folder_name(place.name);
