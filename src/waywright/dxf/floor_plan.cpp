@@ -284,8 +284,8 @@ class Plan {
       }
     }
     if (!found.closed.empty()) {
-      note(fmt::format("{} of the boundary layer {} joined to {} (gaps up to {:.2g} mm)", count_of(given, "line", "lines"), given == 1 ? "was" : "were", count_of(found.closed.size(), "ring", "rings"),
-                       1e3 * found.widest_gap));
+      const std::string gaps = found.widest_gap > 1e-6 ? fmt::format(" (gaps up to {:.2g} mm)", 1e3 * found.widest_gap) : "";
+      note(fmt::format("{} of the boundary layer {} joined to {}{}", count_of(given, "line", "lines"), given == 1 ? "was" : "were", count_of(found.closed.size(), "ring", "rings"), gaps));
     }
     if (!found.open.empty()) note(count_of(found.open.size(), "open line of the boundary layer closes no ring: taken as a wall", "open lines of the boundary layer close no ring: taken as walls"));
     for (Polyline& open : found.open) plan_.lines.push_back(std::move(open));

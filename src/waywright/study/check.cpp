@@ -9,7 +9,6 @@
 #include <limits>
 #include <new>
 #include <optional>
-#include <thread>
 
 #include "waywright/core/version.hpp"
 #include "waywright/io/files.hpp"
@@ -21,6 +20,7 @@
 #include "waywright/report/spots.hpp"
 #include "waywright/report/words.hpp"
 #include "waywright/scenario/problem.hpp"
+#include "waywright/study/threads.hpp"
 
 namespace waywright {
 namespace {
@@ -220,11 +220,7 @@ Parsed<std::vector<Checked>> check(const std::vector<Place>& places, const Check
       if (options.progress) options.progress(done, places.size());
     }
   };
-  const unsigned wanted = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::thread> threads;
-  for (unsigned t = 1; t < std::min<std::size_t>(wanted, places.size()); ++t) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
+  on_threads(options.threads, places.size(), work);
   for (const auto& error : errors) {
     if (error) return tl::unexpected{*error};
   }
