@@ -78,6 +78,7 @@ class Cleaner {
     const double flat = tolerance_ / std::max(block_->scale, 1e-9);
     const double radius = block_->scale * largest_radius(item, flat);
     if (!(radius > above_) || radius > up_to_) return std::nullopt;
+    if (item.type == "LWPOLYLINE" && !item.find(10)) return std::nullopt;  // of no corners: GDAL would refuse the whole drawing
     any_ = true;
     if (item.type == "SPLINE") return take_spline(item, token);
     begin(item.type, token, fmt::format("{}{}", item.type, is_curved(item) ? "~" : ""));

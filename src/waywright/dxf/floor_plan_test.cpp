@@ -358,6 +358,12 @@ TEST(FloorPlan, AnUnknownBlockOnAFrozenLayerIsLeftOut) {
   EXPECT_SAYS(plan, "left out: 1 inserted block on a frozen layer");
 }
 
+TEST(FloorPlan, APolylineOfNoCornersDoesNotCostTheDrawing) {
+  const FloorPlan plan = plan_of(entities(hall + polyline("0", false, {}) + polyline("0", true, {})));
+  EXPECT_EQ(plan.obstacles.size(), 1u);
+  EXPECT_EQ(plan.lines.size(), 0u);
+}
+
 TEST(Simplified, ManyPointsAreLookedAtInTimeAndKeepTheTolerance) {
   // Teeth that shrink: the farthest point from the chord is always the first, which takes a square of work if all are looked at each time.
   Polyline teeth;
