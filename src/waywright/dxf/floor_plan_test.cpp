@@ -422,7 +422,7 @@ TEST_F(OutsideDrawings, AHouseDrawnInInchesThatSaysMillimetres) {
   READ_OR_SKIP(text, "floorplan.dxf");
   const std::string error = error_of(text);
   EXPECT_NE(error.find("this hall would be 0.803 m wide"), std::string::npos) << error;
-  EXPECT_NE(error.find("20.4 m in in"), std::string::npos) << error;
+  EXPECT_NE(error.find("20.4 m in inches"), std::string::npos) << error;
   Options options;
   options.unit = "in";
   const FloorPlan plan = plan_of(text, options);
