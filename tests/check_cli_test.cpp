@@ -184,6 +184,25 @@ TEST_F(CheckCommand, BadInputIsOneSentence) {
   EXPECT_EQ(check("").status, 2);
 }
 
+TEST_F(CheckCommand, AMissionThatItsPlannerCannotTakeIsRefusedBeforeAnyPlaceIsPlanned) {
+  std::ofstream{folder_ / "s.csv"} << "name,start_x,start_y,start_heading,goal_x,goal_y,goal_heading,waypoints,planner\nA,46.2,9.5,3.1416,50,5,1.57,,ompl_rrt_connect\nB,46.2,9.5,3.1416,50,5,1.57,48 7,ompl_rrt_connect\n";
+  const Outcome o = check("");
+  EXPECT_EQ(o.status, 2);
+  EXPECT_NE(o.err.find("s.csv: line 3: planner.name: ompl_rrt_connect does not plan through waypoints"), std::string::npos) << o.err;
+  EXPECT_FALSE(fs::exists(folder_ / "c"));
+}
+
+TEST_F(CheckCommand, WhatIsTakenOverHasTheNameThatItHasNow) {
+  Json j = Json::parse(slurp(example("goal_pose.json")));
+  j["name"] = "";
+  if (j["vehicle"].is_string()) j["vehicle"] = example(j["vehicle"].get<std::string>());
+  ASSERT_EQ(run("check " + write(j, "a b.json").replace(0, 0, "'") + "' -o c").status, 0);
+  fs::rename(folder_ / "a b.json", folder_ / "a-b.json");  // the same folder
+  const Outcome o = run("check a-b.json -o c");
+  EXPECT_NE(o.out.find("1 taken over"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("\n  a-b "), std::string::npos) << o.out;
+}
+
 TEST_F(CheckCommand, NamesAreSafeFolders) {
   const std::string pose = ",46.2,9.5,3.1416,,,,,,,,50,5,1.57,0.1\n";
   table(".." + pose + "../../up" + pose + "\"<b>, \"\"x\"\"\"" + pose + std::string(300, 'x') + pose + "1.2" + pose);

@@ -1,4 +1,5 @@
 // The command line as a user meets it: files, standard streams, exit statuses.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -318,6 +319,30 @@ TEST_F(CommandLine, TradeOffsAreProvenPlansOfWhichNoneIsBetterInAll) {
   }
   for (const char* file : {"front.svg", "paths.svg"}) EXPECT_NE(slurp(folder_ / "front" / file).find("<svg"), std::string::npos);
   refused(run("pareto " + example("dock_middle.json")), {"planner.name", "pattern_docking", "waypoint_clothoid"});
+  // A smaller front takes the larger one's place, and nothing else's.
+  fs::create_directories(folder_ / "front/77");
+  for (const char* mine : {"front/77/plan.json", "front/03/notes.txt", "front/hall.txt"}) std::ofstream{folder_ / mine} << "mine";
+  const Outcome again = run("pareto " + example("waypoints_low.json") + " --set evaluations=3000 --points 2 -o front");
+  ASSERT_EQ(again.status, 0) << again.err;
+  for (std::size_t i = 1; i <= all.size(); ++i) EXPECT_EQ(fs::exists(folder_ / fmt::format("front/{:02}/plan.json", i)), i <= 2) << i;
+  EXPECT_EQ(fs::exists(folder_ / "front/04"), false);
+  for (const char* mine : {"front/77/plan.json", "front/03/notes.txt", "front/hall.txt"}) EXPECT_EQ(slurp(folder_ / mine), "mine");
+}
+
+TEST_F(CommandLine, AFrontWithoutPlansSaysWhy) {
+  Json s = Json::parse(slurp(example("waypoints_low.json")));
+  s["vehicle"] = Json::parse(slurp(example("vehicles/trolley_agv.json")));
+  s["vehicle"]["limits"]["curvature"] = 0.05;
+  s["budget"]["evaluations"] = 200;
+  Outcome o = run("pareto " + write(s) + " -o front");
+  EXPECT_EQ(o.status, 1) << o.err;
+  EXPECT_NE(o.out.find("none: of 200 chains of clothoids through the waypoints none can be driven; the best one bends with"), std::string::npos) << o.out;
+  s["vehicle"]["limits"].erase("curvature");
+  s["waypoints"][0] = s["map"]["polygons"]["obstacles"][0][0];
+  o = run("pareto " + write(s) + " -o front");
+  EXPECT_EQ(o.status, 1) << o.err;
+  EXPECT_NE(o.out.find("none: waypoint 1 at"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("is in obstacle 0"), std::string::npos) << o.out;
 }
 
 TEST_F(CommandLine, WaypointsArePlannedThroughByWhoCan) {
@@ -446,7 +471,7 @@ TEST_F(CommandLine, DrawingsBecomeMapsPicturesAndPlans) {
   std::ofstream{folder_ / "plan.dxf"} << drawing.text();
   const Outcome o = run("map plan.dxf --boundary-layer hall --obstacle-layers RACKS,walls -o m.json --align 0,0=1,2 --align 12,0=1,14.004 --overlay " + example("warehouse.yaml") + " --picture p.svg");
   EXPECT_EQ(o.status, 0) << o.err;
-  for (const char* words : {"1 boundaries, 2 obstacle polygons", "1 lines", "residuals in m: 0.0020, 0.0020", "note: plan.dxf: in mm as the drawing says", "written: m.json\nwritten: p.svg"}) {
+  for (const char* words : {"1 boundary, 2 obstacle polygons", "1 line, 0 points", "residuals in m: 0.0020, 0.0020", "note: plan.dxf: in mm as the drawing says", "written: m.json\nwritten: p.svg"}) {
     EXPECT_NE(o.out.find(words), std::string::npos) << o.out;
   }
   const std::string picture = slurp(folder_ / "p.svg");
@@ -468,6 +493,93 @@ TEST_F(CommandLine, DrawingsBecomeMapsPicturesAndPlans) {
   EXPECT_EQ(source["kind"], "dxf");
   EXPECT_EQ(source["unit"], "mm");
   EXPECT_EQ(source["files"][0]["sha256"].get<std::string>().size(), 64u);
+}
+
+TEST_F(CommandLine, AStartInsideOfAClosedOutlineNamesTheRemedy) {
+  test::TestDrawing drawing;
+  drawing.entities = test::box("ROOM", 0, 0, 12000, 10000);
+  std::ofstream{folder_ / "plan.dxf"} << drawing.text();
+  Json j = {{"format", "waywright-scenario/1"},
+            {"map", {{"dxf", "plan.dxf"}}},
+            {"vehicle", {{"footprint", {{-0.5, -0.4}, {1.0, -0.4}, {1.0, 0.4}, {-0.5, 0.4}}}, {"drive", {{"type", "tricycle"}, {"wheelbase", 1.0}, {"max_steering", 1.0}}}}},
+            {"start", {2, 3, 0}},
+            {"goal", {9, 6, 1.5}},
+            {"planner", {{"name", "ompl_rrt_connect"}}}};
+  const std::string words = "the start lies inside of obstacle 0, a closed outline of 120.0 m², which is solid; if it is the outline of a room, name its layer as boundary_layer";
+  Outcome o = run("plan " + write(j) + " -o o");
+  EXPECT_EQ(o.status, 1) << o.err;
+  EXPECT_NE(o.err.find(words), std::string::npos) << o.err;
+  EXPECT_NE(slurp(folder_ / "o/report.html").find("a closed outline of 120.0"), std::string::npos);
+  EXPECT_EQ(run("verify o/plan.json").err.find("and more"), std::string::npos);
+  std::ofstream{folder_ / "vehicle.json"} << j["vehicle"].dump();
+  std::ofstream{folder_ / "s.csv"} << "name,start_x,start_y,start_heading,goal_x,goal_y,goal_heading,planner\nA,2,3,0,9,6,1.5,ompl_rrt_connect\nB,20,3,0,29,6,1.5,ompl_rrt_connect\n";
+  o = run("check s.csv --map plan.dxf --vehicle vehicle.json -o c");
+  EXPECT_NE(o.err.find("note: s.csv: line 2 (A): " + words), std::string::npos) << o.err;
+  EXPECT_EQ(o.err.find("(B)"), std::string::npos) << o.err;
+  j["map"]["boundary_layer"] = "ROOM";
+  o = run("plan " + write(j) + " -o o");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_EQ(o.err.find("outline of a room"), std::string::npos) << o.err;
+}
+
+TEST_F(CommandLine, PicturesAndOverlaysAreWhatTheirNamesSay) {
+  test::TestDrawing drawing;
+  drawing.unit = "0";
+  drawing.entities = test::box("HALL", 0, 0, 12000, 10000);
+  std::ofstream{folder_ / "plan.dxf"} << drawing.text();
+  const std::string map = "map " + example("warehouse.yaml");
+  refused(run(map + " --picture x.png"), {"x.png", "--picture", "written as SVG", "a name that ends in .svg"});
+  EXPECT_FALSE(fs::exists(folder_ / "x.png"));
+  refused(run(map + " --overlay plan.dxf --picture p.svg"), {"plan.dxf", "12000 x 10000 units", "give unit (--overlay-unit)"});
+  refused(run(map + " --overlay " + example("warehouse.yaml") + " --overlay-unit mm --picture p.svg"), {"--overlay-unit", "drawing alone"});
+  refused(run(map + " --overlay-unit mm --picture p.svg"), {"--overlay-unit", "--overlay FILE.dxf"});
+  const Outcome o = run(map + " --overlay plan.dxf --overlay-unit mm --picture p.SVG");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_NE(slurp(folder_ / "p.SVG").find("<svg"), std::string::npos);
+  // What is read is not written over.
+  ASSERT_EQ(run("map plan.dxf --unit mm -o m.json").status, 0);
+  const std::string before = slurp(folder_ / "m.json");
+  refused(run("map m.json --align 0,0=1,1 --align 1,0=2,1 -o ./m.json"), {"m.json", "-o", "would be lost"});
+  EXPECT_EQ(slurp(folder_ / "m.json"), before);
+}
+
+TEST_F(CommandLine, HeadingsThatLookLikeDegreesAreDoubted) {
+  Json j = scenario();
+  j["start"][2] = 360.0;
+  Outcome o = run("plan " + write(j) + " -o o");
+  EXPECT_NE(o.err.find("note: start[2]: 360 rad is more than a whole turn and is taken as 1.8584 rad (106.5°); headings are in radians: 360° would be 0.0000"), std::string::npos) << o.err;
+  EXPECT_NE(slurp(folder_ / "o/plan.json").find("start[2]: 360 rad"), std::string::npos);
+  j = scenario();
+  j["station"]["shelf"]["heading"] = j["station"]["shelf"]["heading"].get<double>() - 4.0 * 3.14159265358979;
+  EXPECT_NE(run("plan " + write(j) + " -o o").err.find("note: station.shelf.heading: -12.5664 rad is"), std::string::npos);
+  std::ofstream{folder_ / "s.csv"} << "name,start_x,start_y,start_heading,goal_x,goal_y,goal_heading\nA,2,3,90,9,6,180\nB,2,3,1.5,9,6,-6\n";
+  o = run("check s.csv --map " + example("warehouse.yaml") + " --vehicle " + example("vehicles/forklift.json") + " -o c");
+  EXPECT_NE(o.err.find("note: s.csv: line 2 (A): start_heading: 90 rad is"), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find("note: s.csv: line 2 (A): goal_heading: 180 rad is"), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find("a column goal_heading_deg takes degrees"), std::string::npos) << o.err;
+  EXPECT_EQ(std::count(o.err.begin(), o.err.end(), '\n'), 2) << o.err;
+}
+
+TEST_F(CommandLine, WhereTheSecondChoiceFailsItsCauseIsTold) {
+  Json j = Json::parse(slurp(example("dock_impossible.json")));
+  j["budget"]["samples"] = 2000;
+  const Outcome o = run("check " + write(j) + " -o c");
+  EXPECT_EQ(o.status, 1) << o.err;
+  EXPECT_NE(o.out.find("left side blocked by obstacle 2"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("; the second choice ompl_rrt_connect found none either: RRTConnect found no way from start to goal before"), std::string::npos) << o.out;
+  for (const char* file : {"c/check.html", "c/check.csv"}) EXPECT_NE(slurp(folder_ / file).find("found none either: RRTConnect found no way"), std::string::npos) << file;
+  // In the plan's own report once.
+  const Json plan = Json::parse(slurp(folder_ / "c/no-way-in/plan.json"));
+  for (const Json& sentence : plan["explanation"]) EXPECT_EQ(sentence.get<std::string>().find("RRTConnect found no way"), std::string::npos) << sentence;
+}
+
+TEST_F(CommandLine, EvaluationsOfTheCommandLineAreNotSilentlyOverridden) {
+  Json j = scenario();
+  j["budget"]["evaluations"] = 300;
+  const std::string file = write(j);
+  refused(run("plan " + file + " --set evaluations=500"), {file, "--set evaluations", "budget.evaluations, 300, would take its place"});
+  refused(run("check " + file + " --set evaluations=500"), {file, "--set evaluations", "300"});
+  EXPECT_EQ(run("plan " + file + " --set population=30 -o o").status, 0);
 }
 
 TEST_F(CommandLine, WithoutItsPartForDrawingsItSaysSo) {

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <tuple>
 
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/study/summary.hpp"
+#include "waywright/study/threads.hpp"
 
 namespace waywright {
 namespace {
@@ -23,6 +26,21 @@ std::vector<Problem> problems() {
 
 const std::vector<Contestant> contestants{{"patterns", "pattern_docking", {}, {}},
                                           {"trees", "ompl_rrt_connect", {}, {}}};
+
+TEST(OnThreads, AllJobsAreDoneByNoMoreThreadsThanThereAreJobs) {
+  for (const unsigned wanted : {0U, 1U, 3U, 1024U}) {
+    for (const std::size_t jobs : {std::size_t{0}, std::size_t{1}, std::size_t{5}}) {
+      std::atomic<std::size_t> next{0}, done{0}, workers{0};
+      on_threads(wanted, jobs, [&] {
+        ++workers;
+        while (next.fetch_add(1) < jobs) ++done;
+      });
+      EXPECT_EQ(done.load(), jobs);
+      EXPECT_GE(workers.load(), 1U);
+      EXPECT_LE(workers.load(), std::max<std::size_t>(1, jobs));
+    }
+  }
+}
 
 TEST(Compare, WhatIsCutShortCanBeCompared) {
   std::atomic<bool> cancel{false};

@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <regex>
+#include <set>
 #include <stack>
 
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/judge/import.hpp"
 #include "waywright/planner/registry.hpp"
+#include "waywright/report/charts.hpp"
 #include "waywright/report/report.hpp"
+#include "waywright/report/scene.hpp"
 #include "waywright/report/svg_writer.hpp"
 #include "waywright/report/words.hpp"
 #include "waywright/speed/speed.hpp"
@@ -183,15 +186,21 @@ TEST(Words, ReasonAndExplanationDoNotRepeatEachOther) {
   Plan plan;
   plan.reason = "no pattern fits. On the left side a box stands. On the right side too";
   plan.explanation = {"On the left side a box stands.", "On the right side too."};
-  EXPECT_EQ(reason_once(plan), "No pattern fits.");
+  EXPECT_EQ(reason_once(plan, false), "No pattern fits.");
   EXPECT_EQ(explanation_once(plan, false), plan.explanation);
   plan.alternatives = {{"left side", false, {}, "On the left side a box stands.", {}, {}}};
   EXPECT_EQ(explanation_once(plan, true), std::vector<std::string>{"On the right side too."});
   // A reason of its own stays whole, and a sentence that only wraps it goes.
   plan.reason = "the path touches obstacle 0";
   plan.explanation = {"Imported poses.", "This path is not proven: the path touches obstacle 0."};
-  EXPECT_EQ(reason_once(plan), "The path touches obstacle 0.");
+  EXPECT_EQ(reason_once(plan, false), "The path touches obstacle 0.");
   EXPECT_EQ(explanation_once(plan, false), std::vector<std::string>{"Imported poses."});
+  // Beside the table of what was tried, what that tells is left out.
+  plan.explanation.clear();
+  plan.reason = "no pattern fits; the second choice found none either: it ran out of budget";
+  plan.alternatives = {{"RRTConnect", false, std::nullopt, "it ran out of budget.", {}, {}}};
+  EXPECT_EQ(reason_once(plan, false), "No pattern fits; the second choice found none either: it ran out of budget.");
+  EXPECT_EQ(reason_once(plan, true), "No pattern fits; the second choice found none either.");
 }
 
 TEST(Words, WorkThatWasCutShortIsSaid) {
@@ -210,6 +219,52 @@ TEST(SvgNumbers, AreFixedAndFinite) {
   EXPECT_EQ(fixed(1e9), "1000000000");
   EXPECT_EQ(fixed(0.125, 2), "0.12");
   EXPECT_EQ(fixed(1.0 / 0.0), "0");
+}
+
+TEST(Report, ScenarioListsItsWaypoints) {
+  Scenario s = read_scenario(std::string{WAYWRIGHT_SOURCE_DIR} + "/examples/waypoints_low.json").value();
+  s.planner.parameters["evaluations"] = 50.0;
+  const auto html_of = [](const Scenario& scenario) {
+    const Problem problem = Problem::prepare(scenario).value();
+    return report_html(problem, *solve(problem));
+  };
+  std::string html = html_of(s);
+  const auto says = [&](const std::string& part) { return html.find(part) != std::string::npos; };
+  ASSERT_EQ(s.waypoints.size(), 2U);
+  EXPECT_TRUE(says(fmt::format("1: ({}, {}), 2: ({}, {})", s.waypoints[0].x, s.waypoints[0].y, s.waypoints[1].x, s.waypoints[1].y)));
+  EXPECT_TRUE(says("each exactly"));
+  s.waypoint_radius = 0.15;
+  html = html_of(s);
+  EXPECT_TRUE(says("each within 0.15 m"));
+  expect_balanced(html);
+  s.waypoint_radius = 0.0;
+  s.waypoints.clear();
+  html = html_of(s);
+  EXPECT_FALSE(says("Waypoints"));
+}
+
+TEST(Report, ManyPathsInOnePictureDifferInColourOrDashes) {
+  Scenario s = read_scenario(std::string{WAYWRIGHT_SOURCE_DIR} + "/examples/waypoints_low.json").value();
+  s.planner.parameters["evaluations"] = 20.0;
+  const Problem problem = Problem::prepare(s).value();
+  const Plan plan = *solve(problem);
+  std::vector<std::pair<std::string, const Plan*>> plans;
+  for (int i = 0; i < 30; ++i) plans.emplace_back(fmt::format("plan {}", i), &plan);
+  for (const std::string& svg : {overlay_svg(problem, plans, 800.0), clearances_svg(problem, plans, 800.0)}) {
+    expect_clean(svg);
+    std::set<std::string> drawn, named;
+    const auto take = [&](const std::string& element, std::set<std::string>& into) {
+      for (std::size_t at = svg.find(element); at != std::string::npos; at = svg.find(element, at + 1)) {
+        const std::string tag = svg.substr(at, svg.find('>', at) - at);
+        std::smatch stroke;
+        if (std::string head = tag.substr(0, 200); std::regex_search(head, stroke, std::regex{"stroke=\"#[0-9a-f]+\"( stroke-dasharray=\"[^\"]+\")?"})) into.insert(stroke.str());
+      }
+    };
+    take("<polyline fill=", drawn);
+    take("<line x1=", named);
+    EXPECT_EQ(drawn.size(), plans.size());
+    EXPECT_EQ(named, drawn);
+  }
 }
 
 }  // namespace

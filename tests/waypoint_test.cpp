@@ -156,6 +156,68 @@ TEST(Passing, HoldsAPathToItsWaypointsInOrder) {
   }
 }
 
+TEST(WaypointSpacing, PlacesThatCoincideAreRefusedByName) {
+  const auto refusal = [](Vec2 first, Vec2 second, Vec2 goal, double radius) {
+    Scenario s;
+    s.vehicle.footprint.disc = 0.1;
+    s.vehicle.drive = Differential{0.4};
+    s.start = {1, 1, 0};
+    s.waypoints = {first, second};
+    s.waypoint_radius = radius;
+    s.mission = make_pose(goal, 0.0);
+    const auto problem = Problem::prepare(s);
+    return problem ? std::string{} : problem.error().message();
+  };
+  const std::string allowed = " (allowed: places more than 1 mm apart, beyond the waypoint radius of both)";
+  EXPECT_EQ(refusal({3, 1}, {5, 1}, {7, 1}, 0.0), "");
+  EXPECT_EQ(refusal({1, 1}, {5, 1}, {7, 1}, 0.0), "waypoints[0]: it is 0.0000 m from the start" + allowed);
+  EXPECT_EQ(refusal({3, 1}, {3, 1.0009}, {7, 1}, 0.0), "waypoints[1]: it is 0.0009 m from waypoints[0]" + allowed);
+  EXPECT_EQ(refusal({3, 1}, {3, 1.0011}, {7, 1}, 0.0), "");
+  EXPECT_EQ(refusal({3, 1}, {7, 1.0009}, {7, 1}, 0.0), "goal: it is 0.0009 m from waypoints[1]" + allowed);
+  // Apart, the same place may be passed twice.
+  EXPECT_EQ(refusal({3, 1}, {5, 1}, {3, 1}, 0.0), "");
+  // Each may be left by the radius: two waypoints by both, start and goal are where they are.
+  EXPECT_EQ(refusal({1.5005, 1}, {5, 1}, {7, 1}, 0.5), "waypoints[0]: it is 0.5005 m from the start" + allowed);
+  EXPECT_EQ(refusal({1.502, 1}, {2.5025, 1}, {7, 1}, 0.5), "waypoints[1]: it is 1.0005 m from waypoints[0]" + allowed);
+  EXPECT_EQ(refusal({1.502, 1}, {2.504, 1}, {3.0045, 1}, 0.5), "goal: it is 0.5005 m from waypoints[1]" + allowed);
+  EXPECT_EQ(refusal({1.502, 1}, {2.504, 1}, {3.006, 1}, 0.5), "");
+}
+
+TEST(WaypointClothoid, SaysInGrammarWhatItDid) {
+  // Boxes nowhere near: 0, 1, 2 and 5 waypoints, one candidate or many, either kind of chain.
+  const auto text_of = [](std::size_t waypoints, const char* chain, double evaluations, double curvature) {
+    Scenario s;
+    s.vehicle.footprint.disc = 0.2;
+    s.vehicle.drive = Differential{0.4};
+    s.vehicle.limits.curvature = curvature;
+    s.start = {0, 0, 0.5};
+    for (std::size_t i = 1; i <= waypoints; ++i) s.waypoints.push_back({3.0 * static_cast<double>(i), 0.5});
+    s.mission = Pose{3.0 * static_cast<double>(waypoints + 1), 0, 0};
+    s.planner.name = "waypoint_clothoid";
+    s.planner.parameters = {{"chain", std::string{chain}}, {"evaluations", evaluations}};
+    const Plan plan = *solve(Problem::prepare(s).value());
+    std::string text = plan.reason;
+    for (const std::string& sentence : plan.explanation) text += "\n" + sentence;
+    return text;
+  };
+  const auto expect = [](const std::string& text, std::initializer_list<const char*> words) {
+    for (const char* w : words) EXPECT_NE(text.find(w), std::string::npos) << w << "\n  is not in\n" << text;
+  };
+  expect(text_of(0, "g2", 50, 5), {"There are no waypoints to choose courses at", "The way is three clothoids: curvature goes on"});
+  expect(text_of(0, "g1", 50, 5), {"The way is one clothoid: curvature is at most"});
+  expect(text_of(1, "g2", 50, 5), {"Of 50 candidates, this course at the waypoint is best: ", "with the course halfway between those to and from the waypoint.", "Each leg is three clothoids"});
+  expect(text_of(1, "g1", 50, 50), {"curvature jumps at the waypoint;"});
+  expect(text_of(1, "g2", 1, 5), {"Only the course halfway between those to and from the waypoint was looked at: "});
+  expect(text_of(2, "g2", 1, 5), {"Only the courses halfway between those to and from each waypoint were looked at: "});
+  expect(text_of(2, "g1", 50, 50), {"Of 50 candidates, these courses at the waypoints are best: ", "curvature jumps at waypoints;"});
+  expect(text_of(5, "g2", 50, 5), {"Of 50 candidates, these courses at the waypoints are best: ", "with the courses halfway between those to and from each waypoint."});
+  // And why there is none.
+  expect(text_of(0, "g2", 50, 0.01), {"the only chain of clothoids from start to goal that was looked at cannot be driven: it bends with"});
+  expect(text_of(1, "g2", 1, 0.01), {"the only chain of clothoids through the waypoint that was looked at cannot be driven: it bends with"});
+  expect(text_of(1, "g2", 50, 0.01), {"of 50 chains of clothoids through the waypoint none can be driven; the best one bends with"});
+  expect(text_of(5, "g2", 50, 0.01), {"of 50 chains of clothoids through the waypoints none can be driven; the best one bends with"});
+}
+
 TEST(WaypointRadius, LetsThePathPassBeside) {
   Scenario s = fixture_scenario("medium");
   s.waypoint_radius = 0.15;

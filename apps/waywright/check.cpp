@@ -58,11 +58,26 @@ Parsed<void> apply_settings(const std::vector<std::string>& settings, std::vecto
       auto set = set_parameter(*planner, place.scenario.planner.parameters, setting);
       if (!set && has) return set;
       if (!set) unknown = set.error();
+      if (auto free = has ? check_no_budget_over(setting, place.scenario.budget) : Parsed<void>{}; !free) {
+        free.error().file = place.origin;
+        return free;
+      }
       used = used || has;
     }
     if (!used && unknown) return tl::unexpected{*unknown};
   }
   return {};
+}
+
+/// What was repaired in rows, or is strange in them: the first in full, of the others how many.
+void note_rows(const std::vector<SiteRow>& rows) {
+  constexpr std::size_t told = 5;
+  std::size_t noted = 0;
+  for (const SiteRow& row : rows) {
+    if (row.notes.empty() || ++noted > told) continue;
+    for (const std::string& sentence : row.notes) note(fmt::format("note: {} ({}): {}", row.origin, row.name, sentence));
+  }
+  if (noted > told) note(fmt::format("note: {} more {}: see the reports", noted - told, noted == told + 1 ? "row has such notes" : "rows have such notes"));
 }
 
 /// One map, one vehicle, a place a line.
@@ -80,6 +95,7 @@ Parsed<std::vector<Place>> places_of_table(const CheckArguments& arguments) {
   if (auto warning = alignment_warning(aligned)) note_all({}, {*warning});
   auto rows = read_site_csv(arguments.inputs.front(), *site, {arguments.clearance, arguments.planner, arguments.seed});
   if (!rows) return tl::unexpected{rows.error()};
+  note_rows(*rows);
   SharedMaps maps;
   const auto map = maps.take(site->map);
   std::vector<Place> places;

@@ -115,6 +115,7 @@ struct MapArguments {
   std::string obstacle_layers;                   ///< "A,B"
   bool about_drawing = false;                    ///< one of the options for a DXF was given
   std::optional<std::filesystem::path> overlay;  ///< a map that is drawn below this one
+  std::string overlay_unit;                      ///< of a DXF there
   std::optional<std::filesystem::path> picture;  ///< SVG to write
 };
 int map(const MapArguments& arguments);

@@ -13,7 +13,8 @@ int import(const ImportArguments& arguments) {
   auto loaded = load(arguments.scenario);
   if (!loaded) return complain(loaded.error());
   const Problem& problem = loaded->problem;
-  auto path = read_poses_csv(arguments.path);
+  std::vector<std::string> of_poses;
+  auto path = read_poses_csv(arguments.path, &of_poses);
   if (!path) return complain(path.error());
   const std::filesystem::path folder =
       arguments.out.value_or(default_folder(problem.scenario().name + "-import"));
@@ -21,6 +22,7 @@ int import(const ImportArguments& arguments) {
   Plan plan = judge_imported(problem, std::move(*path));
   plan.timing.load = loaded->load;
   plan.timing.prepare = loaded->prepare;
+  note_all(of_poses, {});
   note_all(plan.scenario.map.notes, warnings(plan));
   if (auto written = write_plan(folder, problem, plan); !written) return complain(written.error());
   const bool printed =

@@ -25,7 +25,7 @@ int run(int argc, char** argv) {
   plan_command->add_option("SCENARIO", plan_arguments.scenario, "scenario.json")->required();
   plan_command->add_option("-o,--out", plan_arguments.out, "folder to write to (default: waywright-out/NAME)");
   plan_command->add_option("--planner", plan_arguments.planner, "planner in place of the scenario's");
-  plan_command->add_option("--set", plan_arguments.set, "KEY=VALUE, a parameter of the planner; may be repeated");
+  plan_command->add_option("--set", plan_arguments.set, "KEY=VALUE, a parameter of the planner; may be repeated. evaluations is refused where the scenario's budget names them");
   plan_command->add_option("--seed", plan_arguments.seed, "seed in place of the scenario's");
   plan_command->add_flag("--json", plan_arguments.json, "plan.json on standard output and nothing else there");
   plan_command->callback([&] { status = plan(plan_arguments); });
@@ -112,8 +112,9 @@ int run(int argc, char** argv) {
           ->check(CLI::Range(waywright::dxf::least_tolerance, waywright::dxf::most_tolerance)),
       map_command->add_option("--closing", map_arguments.drawing.closing, "m, of a DXF: outlines are closed over gaps up to this (default: 0.01)")
           ->check(CLI::Range(0.0, waywright::dxf::most_closing))};
-  map_command->add_option("--overlay", map_arguments.overlay, "a map (ROS yaml, map.json, DXF with a unit of its own) drawn in the same picture, as it lies in the world");
-  map_command->add_option("--picture", map_arguments.picture, "SVG to write: the map, and what --overlay names");
+  map_command->add_option("--overlay", map_arguments.overlay, "a map (ROS yaml, map.json, DXF) drawn in the same picture, as it lies in the world");
+  map_command->add_option("--overlay-unit", map_arguments.overlay_unit, "of a DXF that --overlay names: mm, cm, m, in, ft (default: as the drawing says)");
+  map_command->add_option("--picture", map_arguments.picture, "FILE.svg to write: the map, and what --overlay names");
   map_command->callback([&] {
     map_arguments.about_drawing = std::any_of(of_drawings.begin(), of_drawings.end(), [](const CLI::Option* option) { return option->count() > 0; });
     status = map(map_arguments);

@@ -30,8 +30,9 @@ std::string describe(const std::filesystem::path& file, const Map& map) {
   }
   double area = 0.0;
   for (const Ring& ring : map.obstacles) area += std::abs(signed_area(ring));
-  text += fmt::format("  {} boundaries, {} obstacle polygons ({:.2f} m²), {} lines, {} points\n",
-                      map.boundaries.size(), map.obstacles.size(), area, map.lines.size(), map.points.size());
+  const auto counted = [](std::size_t n, const char* one, const char* more) { return fmt::format("{} {}", n, n == 1 ? one : more); };
+  text += fmt::format("  {}, {} ({:.2f} m²), {}, {}\n", counted(map.boundaries.size(), "boundary", "boundaries"), counted(map.obstacles.size(), "obstacle polygon", "obstacle polygons"),
+                      area, counted(map.lines.size(), "line", "lines"), counted(map.points.size(), "point", "points"));
   if (map.alignment) {
     const Pose& t = map.alignment->transform;
     text += fmt::format("  placed at ({:.4f}, {:.4f}, {:.5f} rad)", t.x, t.y, t.heading);
@@ -64,6 +65,12 @@ std::vector<std::string> names_from(const std::string& text) {
   return names;
 }
 
+/// Has the file's name this ending, in capitals or not?
+bool is_named(const std::filesystem::path& file, std::string_view ending) {
+  const std::string extension = file.extension().string();
+  return std::equal(extension.begin(), extension.end(), ending.begin(), ending.end(), [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
+}
+
 std::string picture_of(const MapArguments& arguments, const Map& map, const std::optional<Map>& below, const std::vector<std::pair<Vec2, Vec2>>& pairs) {
   constexpr double width = 1000.0;  // px
   MapPicture picture{&map, arguments.file.filename().string(), below ? &*below : nullptr, arguments.overlay.value_or("").filename().string(), {}};
@@ -75,6 +82,13 @@ std::string picture_of(const MapArguments& arguments, const Map& map, const std:
 
 int map(const MapArguments& arguments) {
   if (arguments.overlay && !arguments.picture) return complain({"", "--overlay", "there is no picture to draw the two maps in", "--picture FILE.svg beside it"});
+  if (arguments.picture && !is_named(*arguments.picture, ".svg")) return complain({arguments.picture->string(), "--picture", "a picture is written as SVG, which this name is not for", "a name that ends in .svg"});
+  for (const auto& [written, option] : {std::pair{arguments.out, "-o"}, std::pair{arguments.picture, "--picture"}}) {
+    for (const auto& [read, what] : {std::pair{std::optional{arguments.file}, "FILE"}, std::pair{arguments.overlay, "--overlay"}}) {
+      std::error_code error;
+      if (written && read && std::filesystem::equivalent(*written, *read, error)) return complain({written->string(), option, fmt::format("it is the file that {} names, which would be lost", what), "another name"});
+    }
+  }
   if (arguments.out && arguments.picture && *arguments.out == *arguments.picture) return complain({"", "--picture", "it names the same file as -o", "two files"});
   std::vector<std::pair<Vec2, Vec2>> pairs;
   for (const std::string& text : arguments.align) {
@@ -85,14 +99,25 @@ int map(const MapArguments& arguments) {
   if (arguments.about_drawing && !is_dxf(arguments.file)) {
     return complain({arguments.file.string(), "command line", "--unit, --obstacle-layers, --boundary-layer, --tolerance and --closing go with a drawing alone", "a .dxf file"});
   }
+  if (!arguments.overlay_unit.empty() && !(arguments.overlay && is_dxf(*arguments.overlay))) {
+    return complain({arguments.overlay.value_or("").string(), "--overlay-unit", "it goes with a drawing alone", "--overlay FILE.dxf beside it"});
+  }
   dxf::Options drawing = arguments.drawing;
   drawing.obstacle_layers = names_from(arguments.obstacle_layers);
   auto map = read_map(arguments.file, pairs, drawing);
   if (!map) return complain(map.error());
   std::optional<Map> below;
   if (arguments.overlay) {
-    auto read = read_map(*arguments.overlay);
-    if (!read) return complain(read.error());
+    dxf::Options of_overlay;
+    of_overlay.unit = arguments.overlay_unit;
+    auto read = read_map(*arguments.overlay, {}, of_overlay);
+    if (!read) {
+      // Its sentences name the option of the other map.
+      constexpr std::string_view option = "(--unit)";
+      InputError error = read.error();
+      if (const std::size_t at = error.problem.find(option); at != std::string::npos) error.problem.replace(at, option.size(), "(--overlay-unit)");
+      return complain(error);
+    }
     below = std::move(*read);
   }
   std::vector<NamedContent> files;

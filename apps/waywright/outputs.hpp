@@ -22,6 +22,9 @@ Parsed<void> prepare_folder_of(const std::filesystem::path& file);
 /// --planner, --set and --seed go into the scenario, so that the plan file holds what was used.
 Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario);
 
+/// Refuses --set evaluations=… where the budget names evaluations, which come before the planner's.
+Parsed<void> check_no_budget_over(const std::string& setting, const BudgetLimits& budget);
+
 /// plan.json, plan.svg, report.html: all or none.
 Parsed<void> write_plan(const std::filesystem::path& folder, const Problem& problem, const Plan& plan);
 

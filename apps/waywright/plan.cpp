@@ -8,6 +8,12 @@
 
 namespace waywright::app {
 
+Parsed<void> check_no_budget_over(const std::string& setting, const BudgetLimits& budget) {
+  if (setting.rfind("evaluations=", 0) != 0 || !budget.evaluations) return {};
+  return tl::unexpected{InputError{"", "--set evaluations", fmt::format("the scenario's budget.evaluations, {}, would take its place", *budget.evaluations),
+                                   "no --set evaluations, or a scenario without budget.evaluations"}};
+}
+
 Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario) {
   if (!arguments.planner.empty() && arguments.planner != scenario.planner.name) {
     scenario.planner = {arguments.planner, {}};  // another planner has other parameters
@@ -21,6 +27,10 @@ Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario) {
   }
   if (const PlannerDescription* planner = find_planner(scenario.planner.name)) {
     for (const std::string& key_value : arguments.set) {
+      if (auto free = check_no_budget_over(key_value, scenario.budget); !free) {
+        free.error().file = arguments.scenario.string();
+        return free;
+      }
       if (auto set = set_parameter(*planner, scenario.planner.parameters, key_value); !set) return set;
     }
   }

@@ -16,10 +16,13 @@ double distance_to_chord(Vec2 p, Vec2 a, Vec2 b) {
   return distance(p, a + t * d);
 }
 
+constexpr std::size_t longest_stretch = 2048;  // points
+constexpr double meeting = 1e-6;  // m: ends so near are one point but for rounding
+
 /// Ends of lines by the cell of a grid as wide as the gap.
 class Ends {
  public:
-  Ends(const std::vector<Polyline>& lines, double gap) : lines_{lines}, gap_{gap}, cell_{std::max(gap, 1e-9)} {
+  Ends(const std::vector<Polyline>& lines, double gap) : lines_{lines}, cell_{std::max(gap, 1e-9)} {
     for (std::size_t i = 0; i < lines.size(); ++i) {
       for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) cells_[key(at(2 * i + end))].push_back(2 * i + end);
     }
@@ -28,8 +31,8 @@ class Ends {
   /// End 2i is the first point of line i, 2i + 1 the last.
   Vec2 at(std::size_t end) const { return end % 2 == 0 ? lines_[end / 2].front() : lines_[end / 2].back(); }
 
-  /// The one other end within the gap, if there is exactly one.
-  std::size_t partner(std::size_t end) const {
+  /// The one other end within a distance, at most the gap, that is not taken, if there is exactly one.
+  std::size_t partner(std::size_t end, double within, const std::vector<char>& taken) const {
     std::size_t found = none;
     const auto [x, y] = key(at(end));
     for (std::int64_t dx = -1; dx <= 1; ++dx) {
@@ -37,7 +40,7 @@ class Ends {
         const auto cell = cells_.find({x + dx, y + dy});
         if (cell == cells_.end()) continue;
         for (const std::size_t other : cell->second) {
-          if (other == end || !(distance(at(other), at(end)) <= gap_)) continue;
+          if (other == end || taken[other] != 0 || !(distance(at(other), at(end)) <= within)) continue;
           if (found != none) return none;
           found = other;
         }
@@ -56,7 +59,7 @@ class Ends {
     return {whole(p.x), whole(p.y)};
   }
   const std::vector<Polyline>& lines_;
-  double gap_, cell_;
+  double cell_;
   std::map<Key, std::vector<std::size_t>> cells_;
 };
 
@@ -66,7 +69,13 @@ Polyline simplified(const Polyline& line, double tolerance) {
   if (line.size() < 3) return line;
   std::vector<char> kept(line.size(), 0);
   kept.front() = kept.back() = 1;
-  std::vector<std::pair<std::size_t, std::size_t>> open{{0, line.size() - 1}};
+  // Stretch by stretch: what is looked at grows with the square of a stretch where the farthest point is always one of the first.
+  std::vector<std::pair<std::size_t, std::size_t>> open;
+  for (std::size_t a = 0; a + 1 < line.size(); a += longest_stretch) {
+    const std::size_t b = std::min(a + longest_stretch, line.size() - 1);
+    kept[b] = 1;
+    open.emplace_back(a, b);
+  }
   while (!open.empty()) {
     const auto [a, b] = open.back();
     open.pop_back();
@@ -93,10 +102,15 @@ Polyline simplified(const Polyline& line, double tolerance) {
 Joined joined(std::vector<Polyline> lines, double gap) {
   Joined result;
   const Ends ends{lines, gap};
-  std::vector<std::size_t> partner(2 * lines.size());
-  for (std::size_t e = 0; e < partner.size(); ++e) partner[e] = ends.partner(e);
-  for (std::size_t e = 0; e < partner.size(); ++e) {
-    if (partner[e] != Ends::none && partner[partner[e]] != e) partner[e] = Ends::none;
+  std::vector<std::size_t> partner(2 * lines.size(), Ends::none), found(2 * lines.size());
+  std::vector<char> taken(2 * lines.size(), 0);
+  // Ends that meet come first: of a line that is shorter than the gap, both ends are near to those of its neighbours.
+  for (const double within : {std::min(gap, meeting), gap}) {
+    for (std::size_t e = 0; e < partner.size(); ++e) found[e] = taken[e] != 0 ? Ends::none : ends.partner(e, within, taken);
+    for (std::size_t e = 0; e < partner.size(); ++e) {
+      if (found[e] != Ends::none && found[found[e]] == e) partner[e] = found[e];
+    }
+    for (std::size_t e = 0; e < partner.size(); ++e) taken[e] = partner[e] != Ends::none ? 1 : 0;
   }
   std::vector<char> used(lines.size(), 0);
   /// Follows the chain that is entered at this end of a line.

@@ -16,7 +16,7 @@ struct Joined {
   double widest_gap = 0.0;  ///< m, that was closed
 };
 
-/// Joins lines end to end where exactly two ends are within `gap` of each other.
+/// Joins lines end to end where exactly two ends meet within rounding, and then where exactly two of those left are within `gap` of each other.
 Joined joined(std::vector<Polyline> lines, double gap);
 
 }  // namespace waywright::dxf

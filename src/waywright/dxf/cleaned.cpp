@@ -63,8 +63,9 @@ class Cleaner {
     const std::size_t layer = drawing_.layer_index.at(key);
     const std::string token = layer == 0 ? "0" : fmt::format("L{}", layer);
     if (item.type == "INSERT") {
+      if (drawing_.layers[layer].frozen) return std::nullopt;  // its block may be named nowhere else
       const std::size_t block = drawing_.block_index.at(capitals(item.text(2)));
-      if (drawing_.layers[layer].frozen || !drawing_.blocks[block].known || drawing_.blocks[block].external) return std::nullopt;
+      if (!drawing_.blocks[block].known || drawing_.blocks[block].external) return std::nullopt;
       begin(item.type, token, "INSERT");
       put(2, fmt::format("B{}", block));
       for (const Group& group : item.groups) {
@@ -74,14 +75,30 @@ class Cleaner {
       return std::nullopt;
     }
     if (!is_outline(item)) return std::nullopt;
-    const double radius = block_->scale * largest_radius(item);
+    const double flat = tolerance_ / std::max(block_->scale, 1e-9);
+    const double radius = block_->scale * largest_radius(item, flat);
     if (!(radius > above_) || radius > up_to_) return std::nullopt;
+    if (item.type == "LWPOLYLINE" && !item.find(10)) return std::nullopt;  // of no corners: GDAL would refuse the whole drawing
     any_ = true;
     if (item.type == "SPLINE") return take_spline(item, token);
     begin(item.type, token, fmt::format("{}{}", item.type, is_curved(item) ? "~" : ""));
-    if (item.type == "POLYLINE") return take_vertices(item, token);
+    if (item.type == "POLYLINE") return take_vertices(item, token, flat);
+    if (item.type == "LWPOLYLINE") return take_corners(item, flat);
     for (const Group& group : item.groups) {
       if (places(group.code)) put(group.code, group.value);
+    }
+    return std::nullopt;
+  }
+
+  /// Arcs that are straight within the tolerance become so: their radius, which may be any, would ask for tiny chords of all others.
+  std::optional<InputError> take_corners(const Item& item, double flat) {
+    const std::vector<bool> arcs = arcs_of(item, flat);
+    std::size_t corners = 0;
+    for (const Group& group : item.groups) {
+      corners += group.code == 10 ? 1 : 0;
+      const bool is_flat = group.code == 42 && (corners == 0 || !arcs[corners - 1]);
+      if (group.code == 90) put(90, fmt::format("{}", arcs.size()));
+      else if (places(group.code) && !is_flat) put(group.code, group.value);
     }
     return std::nullopt;
   }
@@ -92,7 +109,9 @@ class Cleaner {
     out_ += "100\nWW " + tag + "\n";
   }
 
-  std::optional<InputError> take_vertices(const Item& item, const std::string& layer) {
+  std::optional<InputError> take_vertices(const Item& item, const std::string& layer, double flat) {
+    const std::vector<bool> arcs = arcs_of(item, flat);
+    std::size_t vertex = 0;
     put(66, "1");
     std::size_t i = 0;
     for (; i < item.groups.size() && item.groups[i].code != 0; ++i) {
@@ -103,16 +122,17 @@ class Cleaner {
       bool frame = false;  // a control point of a smoothed polyline, which is not on it
       for (; end < item.groups.size() && item.groups[end].code != 0; ++end) {
         const Group& group = item.groups[end];
-        if (group.code == 70) frame = (static_cast<int>(number_from(group.value).value_or(0.0)) & 16) != 0;
+        if (group.code == 70) frame = (static_cast<int>(std::clamp(number_from(group.value).value_or(0.0), 0.0, 65535.0)) & 16) != 0;
       }
       if (!frame) {
         put(0, "VERTEX");
         put(8, layer);
         for (std::size_t k = i + 1; k < end; ++k) {
           const int code = item.groups[k].code;
-          if (code == 10 || code == 20 || code == 30 || code == 42) put(code, item.groups[k].value);
+          if (code == 10 || code == 20 || code == 30 || (code == 42 && arcs[vertex])) put(code, item.groups[k].value);
         }
       }
+      ++vertex;
       i = end;
     }
     put(0, "SEQEND");

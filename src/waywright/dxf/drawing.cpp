@@ -14,6 +14,7 @@ namespace {
 constexpr double most_entities = 3e6;  // in all instances: their points, and GDAL's copies of blocks, fit into memory
 constexpr std::size_t most_layers = 100'000;
 constexpr int deepest = 32;  // blocks in blocks
+constexpr double largest_scale = 1e12;  // of a block in all the blocks that it is in
 
 /// The names as UTF-8: older files hold single bytes, and write other letters as \U+XXXX.
 std::string utf8_of(std::string_view bytes) {
@@ -88,6 +89,9 @@ class Scan {
         else if (!to.known) drawing_.missing_blocks += from.times * insert.times;
         to.times += from.times * insert.times;
         to.scale = std::max(to.scale, from.scale * insert.scale);
+        if (!(to.scale <= largest_scale)) {
+          return tl::unexpected{InputError{name_, "", fmt::format("block {} is enlarged more than {:g} times where it is inserted", name_of(insert.block), largest_scale), "blocks inserted at a smaller scale"}};
+        }
       }
       instances_ += inserted;
       if (!(drawing_.expanded + instances_ <= most_entities)) {

@@ -11,6 +11,7 @@ namespace waywright::dxf {
 namespace {
 
 constexpr double largest_number = 1e12;  // drawing units: a kilometre in micrometres is 1e9
+constexpr double least_bulge = 1e-9;     // under it an arc rises half a micrometre over a kilometre
 constexpr double largest_angle = 1e6;    // GDAL turns angles back one turn at a time
 
 constexpr std::array<std::string_view, 9> outlines{"LINE", "LWPOLYLINE", "POLYLINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "SOLID", "TRACE"};
@@ -115,18 +116,39 @@ int whole_number(const Item& entity, int code, int otherwise) {
   return value;
 }
 
-double largest_radius(const Item& entity) {
+namespace {
+
+/// |bulge| and chord of the arc that begins at a corner.
+std::pair<double, double> arc_at(const std::vector<Corner>& corners, std::size_t i) {
+  const double bulge = std::abs(corners[i].bulge);
+  return {bulge < least_bulge ? 0.0 : bulge, distance(corners[i].at, corners[(i + 1) % corners.size()].at)};
+}
+
+bool rises(double bulge, double chord, double flat) { return 0.5 * chord * bulge > flat; }
+
+}  // namespace
+
+double largest_radius(const Item& entity, double flat) {
   if (entity.type == "ARC" || entity.type == "CIRCLE") return std::abs(number(entity, 40, 0.0));
   if (entity.type == "ELLIPSE") return norm({number(entity, 11, 0.0), number(entity, 21, 0.0)}) * std::max(1.0, std::abs(number(entity, 40, 1.0)));
   if (entity.type != "LWPOLYLINE" && entity.type != "POLYLINE") return 0.0;
   double radius = 0.0;
   const auto corners = corners_of(entity);
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const double bulge = std::abs(corners[i].bulge), chord = distance(corners[i].at, corners[(i + 1) % corners.size()].at);
-    // Under a bulge of 0.02 its radius says nothing: it is as if bent so, which has shorter chords than it needs.
-    if (bulge > 0.0) radius = std::max(radius, 0.25 * chord * (std::max(bulge, 0.02) + 1.0 / std::max(bulge, 0.02)));
+    const auto [bulge, chord] = arc_at(corners, i);
+    if (rises(bulge, chord, flat)) radius = std::max(radius, 0.25 * chord * (bulge + 1.0 / bulge));
   }
   return radius;
+}
+
+std::vector<bool> arcs_of(const Item& polyline, double flat) {
+  const auto corners = corners_of(polyline);
+  std::vector<bool> arcs(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto [bulge, chord] = arc_at(corners, i);
+    arcs[i] = rises(bulge, chord, flat);
+  }
+  return arcs;
 }
 
 SplineCurve spline_of(const Item& entity) {

@@ -23,8 +23,12 @@ std::optional<InputError> check_numbers(const Item& entity, const std::string& f
 double number(const Item& entity, int code, double otherwise);
 int whole_number(const Item& entity, int code, int otherwise);
 
-/// Radius of the largest arc in it that is bent by more than rounding; half axes of ellipses.
-double largest_radius(const Item& entity);
+/// Radius of the largest arc in it; half axes of ellipses. Of polylines, arcs that rise no more than `flat` (drawing units) over their chord are
+/// straight.
+double largest_radius(const Item& entity, double flat = 0.0);
+
+/// Of a polyline, for each corner: does an arc begin there that rises more than `flat` over its chord?
+std::vector<bool> arcs_of(const Item& polyline, double flat);
 
 SplineCurve spline_of(const Item& entity);
 std::vector<Vec2> fit_points_of(const Item& entity);

@@ -22,13 +22,16 @@ constexpr std::size_t most_points = 4'000'000;             // of the whole plan;
 constexpr double least_size = 2.0, most_size = 1000.0;     // m, of a floor plan whose unit nobody has given
 constexpr double outline_share = 0.5;                      // of the other pieces, that an outline of the plan is about
 constexpr std::size_t least_within_outline = 4;
+constexpr std::size_t most_comparisons = 500'000'000;    // of pieces with corners of the outline
+constexpr double least_room = 4.0;                         // m²: what is smaller is no room for a vehicle
 
 struct Unit {
-  const char* name;
+  const char* name;   // as options have it
+  const char* words;  // in a sentence
   double metres;
   int insunits;  // the header's number for it
 };
-constexpr std::array units{Unit{"mm", 1e-3, 4}, Unit{"cm", 1e-2, 5}, Unit{"m", 1.0, 6}, Unit{"in", 0.0254, 1}, Unit{"ft", 0.3048, 2}};
+constexpr std::array units{Unit{"mm", "mm", 1e-3, 4}, Unit{"cm", "cm", 1e-2, 5}, Unit{"m", "m", 1.0, 6}, Unit{"in", "inches", 0.0254, 1}, Unit{"ft", "feet", 0.3048, 2}};
 constexpr const char* unit_names = "mm, cm, m, in, ft";
 
 Parsed<Unit> unit_of(const Drawing& drawing, const std::string& name, const Options& options) {
@@ -40,6 +43,10 @@ Parsed<Unit> unit_of(const Drawing& drawing, const std::string& name, const Opti
   const std::string why = drawing.unit == 0 ? "the drawing names no unit ($INSUNITS)" : fmt::format("the drawing's unit ($INSUNITS {}) is not one of floor plans", drawing.unit);
   return tl::unexpected{InputError{name, "", fmt::format("{}; it is about {:.0f} x {:.0f} units: give unit (--unit)", why, size.x, size.y), unit_names}};
 }
+
+/// "1 line", "2 lines".
+std::string count_of(double n, const char* one, const char* more) { return fmt::format("{:.0f} {}", n, n == 1.0 ? one : more); }
+std::string count_of(std::size_t n, const char* one, const char* more) { return count_of(static_cast<double>(n), one, more); }
 
 std::string metres(double v) { return v < 1000.0 ? fmt::format("{:.3g} m", v) : fmt::format("{:.3g} km", v / 1000.0); }
 
@@ -59,10 +66,10 @@ std::optional<InputError> check_size(const std::vector<Piece>& pieces, const Uni
   for (const Unit& other : units) {
     const double k = other.metres / unit.metres;
     if (other.insunits != unit.insunits && k * longest >= least_size && k * longest <= most_size) {
-      others += fmt::format("{}{} in {}", others.empty() ? "; it would be " : ", ", metres(k * size.x), other.name);
+      others += fmt::format("{}{} in {}", others.empty() ? "; it would be " : ", ", metres(k * size.x), other.words);
     }
   }
-  return InputError{name, "", fmt::format("this hall would be {} wide and {} deep in the unit that the drawing names, {}{}: give unit (--unit)", metres(size.x), metres(size.y), unit.name, others),
+  return InputError{name, "", fmt::format("this hall would be {} wide and {} deep in the unit that the drawing names, {}{}: give unit (--unit)", metres(size.x), metres(size.y), unit.words, others),
                     unit_names};
 }
 
@@ -80,8 +87,9 @@ class Plan {
       const double step = step_for(radius, tolerance);
       last_class_ = step >= most_step || radius == 0.0;
       const double next = radius / class_width;
+      const std::size_t before = raw_points_;
       if (auto error = read_class(text, unit, tolerance, step, last_class_ ? -1.0 : next, radius)) return error;
-      if (step <= least_step) deviation_ = std::max(deviation_, (tolerance + radius * (1.0 - std::cos(0.5 * step * pi / 180.0))) * unit.metres);
+      if (step <= least_step && raw_points_ > before) deviation_ = std::max(deviation_, (tolerance + radius * (1.0 - std::cos(0.5 * step * pi / 180.0))) * unit.metres);
       radius = next;
     }
     if (options_.unit.empty() && !pieces_.empty()) return check_size(pieces_, unit, name_);
@@ -102,7 +110,7 @@ class Plan {
       const bool closed = is_closed(piece);
       if (boundary && !closed) boundary_lines.push_back(std::move(piece.points));
       else if (closed && i == outline_) add_walls(std::move(piece.points));
-      else if (closed) add_ring(std::move(piece), boundary);
+      else if (closed) add_ring(std::move(piece), boundary, i == room_);
       else plan_.lines.push_back(std::move(piece.points));
     }
     join_boundary(std::move(boundary_lines));
@@ -154,24 +162,26 @@ class Plan {
   void note(std::string text) { plan_.notes.push_back(std::filesystem::path{name_}.filename().string() + ": " + std::move(text)); }
 
   void note_taken(const Unit& unit) {
-    note(fmt::format("in {}{}; taken: {}", unit.name, options_.unit.empty() ? " as the drawing says" : "", counted(taken_, drawing_)));
+    note(fmt::format("in {}{}; taken: {}", unit.words, options_.unit.empty() ? " as the drawing says" : "", counted(taken_, drawing_)));
     if (!left_.empty()) note((options_.obstacle_layers.empty() ? "left out, layers of annotations: " : "left out, layers that are not named: ") + counted(left_, drawing_));
     Counts writing, unread;
     for (const auto& [key, count] : drawing_.left_out) (is_annotation_kind(key.first) ? writing : unread)[key] = count;
     if (!writing.empty()) note("left out, writing and the like: " + counted(writing, drawing_));
-    if (!unread.empty()) note("left out, and they may stand for walls: " + counted(unread, drawing_) + ": explode them in CAD if they do");
+    if (!unread.empty()) note("left out, though it may stand for walls: " + counted(unread, drawing_) + ": explode in CAD what does");
     if (!frozen_.empty()) note("left out, frozen layers: " + counted(frozen_, drawing_));
     if (!off_.empty()) note("left out, layers that are off: " + counted(off_, drawing_));
-    const auto some = [&](double count, const char* what) {
-      if (count > 0.0) note(fmt::format("left out: {:.0f} {}", count, what));
+    const auto some = [&](double count, const char* one, const char* more) {
+      if (count > 0.0) note("left out: " + count_of(count, one, more));
     };
-    some(drawing_.on_frozen_inserts, "inserted blocks on frozen layers");
-    some(drawing_.in_paper_space, "entities of paper space");
-    some(drawing_.invisible, "invisible entities");
-    some(drawing_.external_blocks, "references to other drawings (xref), which are not in this file: bind them in CAD");
-    some(drawing_.missing_blocks, "inserted blocks that the drawing does not define");
-    some(static_cast<double>(empty_), "entities without length");
-    if (by_fit_points_ > 0) note(fmt::format("{} splines are given by fit points alone, which were joined by straight lines: look at them", by_fit_points_));
+    some(drawing_.on_frozen_inserts, "inserted block on a frozen layer", "inserted blocks on frozen layers");
+    some(drawing_.in_paper_space, "entity of paper space", "entities of paper space");
+    some(drawing_.invisible, "invisible entity", "invisible entities");
+    some(drawing_.external_blocks, "reference to another drawing (xref), which is not in this file: bind it in CAD", "references to other drawings (xref), which are not in this file: bind them in CAD");
+    some(drawing_.missing_blocks, "inserted block that the drawing does not define", "inserted blocks that the drawing does not define");
+    some(static_cast<double>(empty_), "entity without length", "entities without length");
+    if (by_fit_points_ > 0) {
+      note(count_of(by_fit_points_, "spline is given by its fit points alone, which were joined by straight lines: look at it", "splines are given by fit points alone, which were joined by straight lines: look at them"));
+    }
     if (std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.curved || p.kind == "SPLINE"; })) {
       note(fmt::format("curves are drawn by chords no farther than {:.2g} mm from them", 1e3 * deviation_));
     }
@@ -212,16 +222,26 @@ class Plan {
       }
     }
     if (outline_ == none) return;
-    std::size_t within = 0;
+    std::size_t within = 0, others = 0;
     const auto inside = [&](Vec2 p) { return contains(pieces_[outline_].points, p); };
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      within += i != outline_ && inside(0.5 * (boxes[i].low + boxes[i].high)) && inside(pieces_[i].points.front()) ? 1 : 0;
+    // Of very many pieces in an outline of very many corners, some stand for all.
+    const std::size_t stride = 1 + pieces_.size() * pieces_[outline_].points.size() / most_comparisons;
+    for (std::size_t i = 0; i < pieces_.size(); i += stride) {
+      if (i == outline_) continue;
+      ++others;
+      within += inside(0.5 * (boxes[i].low + boxes[i].high)) && inside(pieces_[i].points.front()) ? 1 : 0;
     }
-    if (within < least_within_outline || static_cast<double>(within) < outline_share * static_cast<double>(pieces_.size() - 1)) {
+    const std::string& layer = drawing_.layers[pieces_[outline_].layer].name;
+    const bool is_about_most = static_cast<double>(within) >= outline_share * static_cast<double>(others);
+    if (within < least_within_outline || !is_about_most) {
+      if (is_about_most && options_.boundary_layer.empty() && largest >= least_room) {
+        const std::string rest = others == 0 ? "and there is nothing else" : within == others ? "with everything else inside" : fmt::format("with {} of the {} others inside", within, others);
+        room_ = outline_;
+        room_note_ = fmt::format("the largest closed {} ({:.1f} m², on {}) is taken as solid, {}: if it is the outline of a room, name its layer as boundary_layer", pieces_[outline_].kind, largest, layer, rest);
+      }
       outline_ = none;
       return;
     }
-    const std::string& layer = drawing_.layers[pieces_[outline_].layer].name;
     note(fmt::format("the largest closed {} ({:.1f} m², on {}) is about most of the rest: taken as walls, not as solid (boundary_layer makes it the boundary)", pieces_[outline_].kind, largest, layer));
   }
 
@@ -230,7 +250,7 @@ class Plan {
     plan_.lines.push_back(std::move(ring));
   }
 
-  void add_ring(Piece piece, bool boundary) {
+  void add_ring(Piece piece, bool boundary, bool may_be_room) {
     Polyline points = std::move(piece.points);
     if (piece.kind == "SOLID" || piece.kind == "TRACE") mend_bow_tie(points);
     RingRepair repair = repair_ring(points);
@@ -241,6 +261,7 @@ class Plan {
     }
     duplicates_ += std::any_of(repair.mended.begin(), repair.mended.end(), [](const std::string& m) { return m.find("duplicate") != m.npos; }) ? 1 : 0;
     (boundary ? plan_.boundaries : plan_.obstacles).push_back(std::move(repair.ring));
+    if (may_be_room) note(room_note_);
   }
 
   /// Corners of a solid are stored in the order of a Z; whichever way they come, the hull of its four is meant.
@@ -262,22 +283,27 @@ class Plan {
         plan_.boundaries.push_back(std::move(repair.ring));
       }
     }
-    if (!found.closed.empty()) note(fmt::format("{} lines of the boundary layer were joined to {} rings (gaps up to {:.2g} mm)", given, found.closed.size(), 1e3 * found.widest_gap));
-    if (!found.open.empty()) note(fmt::format("{} open lines of the boundary layer close no ring: taken as walls", found.open.size()));
+    if (!found.closed.empty()) {
+      const std::string gaps = found.widest_gap > 1e-6 ? fmt::format(" (gaps up to {:.2g} mm)", 1e3 * found.widest_gap) : "";
+      note(fmt::format("{} of the boundary layer {} joined to {}{}", count_of(given, "line", "lines"), given == 1 ? "was" : "were", count_of(found.closed.size(), "ring", "rings"), gaps));
+    }
+    if (!found.open.empty()) note(count_of(found.open.size(), "open line of the boundary layer closes no ring: taken as a wall", "open lines of the boundary layer close no ring: taken as walls"));
     for (Polyline& open : found.open) plan_.lines.push_back(std::move(open));
   }
 
   void note_repairs() {
-    if (closed_ > 0) note(fmt::format("repaired: {} polylines whose ends are up to {:.2g} mm apart were closed", closed_, 1e3 * widest_gap_));
-    if (duplicates_ > 0) note(fmt::format("repaired: duplicate corners removed from {} closed outlines", duplicates_));
-    if (refused_ > 0) note(fmt::format("repaired: {} closed outlines that enclose nothing clearly were taken as walls (first: {})", refused_, first_refused_));
+    if (closed_ > 0) note(fmt::format("repaired: {} up to {:.2g} mm apart {} closed", count_of(closed_, "polyline whose ends are", "polylines whose ends are"), 1e3 * widest_gap_, closed_ == 1 ? "was" : "were"));
+    if (duplicates_ > 0) note("repaired: duplicate corners removed from " + count_of(duplicates_, "closed outline", "closed outlines"));
+    if (refused_ == 1) note(fmt::format("repaired: a closed outline that encloses nothing clearly was taken as walls ({})", first_refused_));
+    if (refused_ > 1) note(fmt::format("repaired: {} closed outlines that enclose nothing clearly were taken as walls (first: {})", refused_, first_refused_));
   }
 
   std::optional<InputError> check_boundaries() {
     if (options_.boundary_layer.empty()) return std::nullopt;
     const auto& rings = plan_.boundaries;
     if (rings.empty()) {
-      return InputError{name_, "boundary_layer", fmt::format("layer {} holds no closed ring", one_line(options_.boundary_layer)),
+      const std::string why = refused_ > 0 ? fmt::format(" that encloses something clearly: {}", first_refused_) : "";
+      return InputError{name_, "boundary_layer", fmt::format("layer {} holds no closed ring{}", one_line(options_.boundary_layer), why),
                         "a layer with a closed polyline, or lines that meet (their ends within the closing distance)"};
     }
     for (std::size_t i = 0; i < rings.size(); ++i) {
@@ -288,7 +314,15 @@ class Plan {
                           "one ring, or rings within each other"};
       }
     }
-    if (rings.size() > 1) note(fmt::format("the boundary layer holds {} rings; the vehicle stays inside each of them", rings.size()));
+    if (rings.size() > 1) {
+      double least = std::abs(signed_area(rings[0])), most = least;
+      for (const Ring& ring : rings) {
+        least = std::min(least, std::abs(signed_area(ring)));
+        most = std::max(most, std::abs(signed_area(ring)));
+      }
+      note(fmt::format("the boundary layer holds {} rings of {:.1f} to {:.1f} m² within each other; the vehicle stays inside each of them, so the smallest decides: what is a pillar or an island "
+                       "belongs on a layer of obstacles", rings.size(), least, most));
+    }
     return std::nullopt;
   }
 
@@ -301,7 +335,8 @@ class Plan {
   std::vector<Piece> pieces_;
   Counts taken_, left_, off_, frozen_;
   FloorPlan plan_;
-  std::size_t outline_ = none;
+  std::size_t outline_ = none, room_ = none;  // of the pieces: taken as walls; solid, though it may be a room's outline
+  std::string room_note_;
   bool last_class_ = false;
   std::size_t points_ = 0, raw_points_ = 0;
   std::size_t empty_ = 0, by_fit_points_ = 0, closed_ = 0, refused_ = 0, duplicates_ = 0;

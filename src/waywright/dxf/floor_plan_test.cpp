@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "waywright/dxf/chains.hpp"
 #include "waywright/dxf/test_drawing.hpp"
 
 namespace waywright::dxf {
@@ -69,7 +70,7 @@ TEST(FloorPlan, OldPolylinesAreReadTooAndTheirFramesAreNot) {
   ASSERT_EQ(plan.obstacles.size(), 1u);
   EXPECT_EQ(plan.obstacles[0], (Ring{{0, 0}, {4, 0}, {4, 2}}));
   const std::string mesh = groups({{0, "POLYLINE"}, {8, "A"}, {66, 1}, {70, 64}, {0, "VERTEX"}, {10, 0}, {20, 0}, {0, "SEQEND"}});
-  EXPECT_SAYS(plan_of(entities(hall + mesh)), "they may stand for walls: 1 POLYLINE on A");
+  EXPECT_SAYS(plan_of(entities(hall + mesh)), "though it may stand for walls: 1 POLYLINE on A");
 }
 
 /// Every point of the true curve is near its chords and every chord's middle near the curve, in a drawing with a scale of its own.
@@ -162,8 +163,8 @@ TEST(FloorPlan, LayersSayWhatIsTaken) {
   EXPECT_EQ(plan.lines.size(), 1u);
   EXPECT_EQ(plan.obstacles.size(), 1u);
   for (const char* words : {"annotations: 1 LINE on A-TEXT-1; 1 LINE on dims; 1 LINE on Defpoints", "frozen layers: 2 LINE on ICE", "layers that are off: 1 LINE on DARK",
-                            "writing and the like: 1 HATCH and 1 TEXT on WALLS", "may stand for walls: 1 MLINE on WALLS", "1 inserted blocks on frozen layers", "1 entities of paper space",
-                            "1 inserted blocks that the drawing does not define"}) {
+                            "writing and the like: 1 HATCH and 1 TEXT on WALLS", "may stand for walls: 1 MLINE on WALLS", "1 inserted block on a frozen layer", "1 entity of paper space",
+                            "1 inserted block that the drawing does not define"}) {
     EXPECT_SAYS(plan, words);
   }
   Options named;
@@ -185,7 +186,7 @@ TEST(FloorPlan, BoundaryOfLinesThatMeet) {
   ASSERT_EQ(plan.boundaries.size(), 1u);
   EXPECT_NEAR(signed_area(plan.boundaries[0]), 200, 0.1);
   EXPECT_EQ(plan.lines.size(), 0u);
-  EXPECT_SAYS(plan, "4 lines of the boundary layer were joined to 1 rings (gaps up to 3 mm)");
+  EXPECT_SAYS(plan, "4 lines of the boundary layer were joined to 1 ring (gaps up to 3 mm)");
   options.closing = 0.001;
   EXPECT_NE(error_of(entities(lines), options).find("layer B holds no closed ring"), std::string::npos);
   options.closing = 0.01;
@@ -202,12 +203,70 @@ TEST(FloorPlan, AnOutlineOfThePlanIsNotSolid) {
   EXPECT_SAYS(plan, "taken as walls, not as solid");
 }
 
+TEST(FloorPlan, ARoomThatIsTakenAsSolidIsTold) {
+  const std::string remedy = "if it is the outline of a room, name its layer as boundary_layer";
+  const FloorPlan alone = plan_of(entities(hall));
+  ASSERT_EQ(alone.obstacles.size(), 1u);
+  EXPECT_SAYS(alone, "the largest closed LWPOLYLINE (200.0 m², on WALLS) is taken as solid, and there is nothing else: " + remedy);
+  const FloorPlan full = plan_of(entities(hall + box("RACKS", 1000, 1000, 3000, 2000)));
+  EXPECT_SAYS(full, "is taken as solid, with everything else inside: " + remedy);
+  Options options;
+  options.boundary_layer = "WALLS";
+  EXPECT_FALSE(says(plan_of(entities(hall + box("RACKS", 1000, 1000, 3000, 2000)), options), remedy));
+  // Racks beside each other are no rooms.
+  EXPECT_FALSE(says(plan_of(entities(box("RACKS", 1000, 1000, 6000, 4000) + box("RACKS", 8000, 1000, 11000, 4000))), remedy));
+}
+
+TEST(FloorPlan, ShortLinesOfABoundaryAreJoinedWhereTheyMeet) {
+  // A chamfer of 5 mm: each of its ends is nearer to the other one than the closing distance.
+  Options options;
+  options.boundary_layer = "HALL";
+  const FloorPlan plan = plan_of(entities(line("HALL", 0, 0, 20000, 0) + line("HALL", 20000, 0, 20000, 9995) + line("HALL", 20000, 9995, 19995, 10000) + line("HALL", 19995, 10000, 0, 10000) +
+                                          line("HALL", 0, 9997, 0, 0)), options);
+  ASSERT_EQ(plan.boundaries.size(), 1u);
+  EXPECT_NEAR(signed_area(plan.boundaries[0]), 200.0, 1e-2);
+  EXPECT_SAYS(plan, "5 lines of the boundary layer were joined to 1 ring (gaps up to 3 mm)");
+}
+
+TEST(FloorPlan, RingsOfABoundaryWithinEachOtherAreTold) {
+  Options options;
+  options.boundary_layer = "HALL";
+  const FloorPlan plan = plan_of(entities(box("HALL", 0, 0, 20000, 10000) + box("HALL", 200, 200, 19800, 9800)), options);
+  EXPECT_EQ(plan.boundaries.size(), 2u);
+  EXPECT_SAYS(plan, "the boundary layer holds 2 rings of 188.2 to 200.0 m² within each other; the vehicle stays inside each of them, so the smallest decides");
+  TestDrawing drawing;
+  drawing.layer("HALL", 1, 7);
+  drawing.entities = box("HALL", 0, 0, 20000, 10000);
+  EXPECT_EQ(error_of(drawing.text(), options), "dir/plan.dxf: boundary_layer: layer HALL is frozen in the drawing (allowed: a layer that is on)");
+  EXPECT_NE(error_of(entities(polyline("HALL", true, {{0, 0}, {9000, 5000}, {9000, 0}, {0, 5000}})), options).find("holds no closed ring that encloses something clearly: a LWPOLYLINE on HALL, edges"),
+            std::string::npos);
+}
+
+TEST(FloorPlan, FlatBulgesKeepTheTolerance) {
+  // A rise of 5 mm over 10 m, under one of 5 m: as arcs of 2500 m and more they turn by little, and are still no chords.
+  for (const double bulge : {1e-3, -1e-3, 3e-3, 2e-2}) {
+    const FloorPlan plan = plan_of(entities(polyline("0", false, {{0, 0, bulge}, {10000, 0}})));
+    ASSERT_EQ(plan.lines.size(), 1u);
+    const double rise = 0.5 * 10.0 * bulge, radius = 0.25 * 10.0 * (std::abs(bulge) + 1.0 / std::abs(bulge));
+    const Vec2 center{5.0, (bulge > 0 ? 1.0 : -1.0) * (radius - std::abs(rise))};
+    for (int i = 0; i <= 1000; ++i) {
+      const double x = 0.01 * i, dx = x - center.x;
+      const Vec2 on_arc{x, center.y - (bulge > 0 ? 1.0 : -1.0) * std::sqrt(radius * radius - dx * dx)};
+      ASSERT_LE(distance_to(plan.lines[0], on_arc, false), 1.001e-3) << bulge << " " << x;
+    }
+  }
+  // What only rounding bends is straight, and asks nothing of the rest of its line.
+  const FloorPlan noise = plan_of(entities(polyline("0", false, {{0, 0, 1e-8}, {10000, 0, 1.0}, {10000, 2000}})));
+  ASSERT_EQ(noise.lines.size(), 1u);
+  EXPECT_LT(noise.lines[0].size(), 100u);
+}
+
 TEST(FloorPlan, UnitsAreBelievedWhereTheSizeIsThatOfAHall) {
   TestDrawing drawing;
   drawing.entities = box("0", 0, 0, 900, 400);
   const std::string small = error_of(drawing.text());
   EXPECT_NE(small.find("this hall would be 0.9 m wide and 0.4 m deep in the unit that the drawing names, mm"), std::string::npos) << small;
-  EXPECT_NE(small.find("22.9 m in in"), std::string::npos) << small;
+  EXPECT_NE(small.find("22.9 m in inches"), std::string::npos) << small;
   EXPECT_NE(small.find("--unit"), std::string::npos);
   drawing.unit = "6";
   drawing.entities = box("0", 0, 0, 2000, 400);
@@ -228,17 +287,17 @@ TEST(FloorPlan, UnitsAreBelievedWhereTheSizeIsThatOfAHall) {
 TEST(FloorPlan, RepairsAreTold) {
   const FloorPlan open = plan_of(entities(polyline("0", false, {{0, 0}, {9000, 0}, {9000, 5000}, {0, 5000}, {0, 4}})));
   EXPECT_EQ(open.obstacles.size(), 1u);
-  EXPECT_SAYS(open, "1 polylines whose ends are up to 4 mm apart were closed");
+  EXPECT_SAYS(open, "1 polyline whose ends are up to 4 mm apart was closed");
   const FloorPlan crossing = plan_of(entities(polyline("0", true, {{0, 0}, {9000, 5000}, {9000, 0}, {0, 5000}})));
   EXPECT_EQ(crossing.obstacles.size(), 0u);
   ASSERT_EQ(crossing.lines.size(), 1u);
   EXPECT_EQ(crossing.lines[0].size(), 5u);
-  EXPECT_SAYS(crossing, "1 closed outlines that enclose nothing clearly were taken as walls (first: a LWPOLYLINE on 0, edges");
+  EXPECT_SAYS(crossing, "a closed outline that encloses nothing clearly was taken as walls (a LWPOLYLINE on 0, edges");
   const FloorPlan twice = plan_of(entities(polyline("0", true, {{0, 0}, {9000, 0}, {9000, 0}, {9000, 5000}, {0, 5000}, {0, 0}})));
   ASSERT_EQ(twice.obstacles.size(), 1u);
   EXPECT_EQ(twice.obstacles[0].size(), 4u);
   const FloorPlan nothing = plan_of(entities(hall + line("0", 5, 5, 5, 5)));
-  EXPECT_SAYS(nothing, "1 entities without length");
+  EXPECT_SAYS(nothing, "1 entity without length");
   const FloorPlan solid = plan_of(entities(groups({{0, "SOLID"}, {8, "0"}, {10, 0}, {20, 0}, {11, 4000}, {21, 0}, {12, 0}, {22, 4000}, {13, 4000}, {23, 4000}})));
   ASSERT_EQ(solid.obstacles.size(), 1u);
   EXPECT_NEAR(signed_area(solid.obstacles[0]), 16, 1e-9);
@@ -290,6 +349,44 @@ TEST(FloorPlan, WhatCannotBeReadIsRefusedInASentence) {
   }
 }
 
+TEST(FloorPlan, AnUnknownBlockOnAFrozenLayerIsLeftOut) {
+  TestDrawing drawing;
+  drawing.layer("ICE", 1, 7);
+  drawing.entities = hall + groups({{0, "INSERT"}, {8, "ICE"}, {2, "NAMED NOWHERE ELSE"}, {10, 0}, {20, 0}});
+  const FloorPlan plan = plan_of(drawing.text());
+  EXPECT_EQ(plan.obstacles.size(), 1u);
+  EXPECT_SAYS(plan, "left out: 1 inserted block on a frozen layer");
+}
+
+TEST(FloorPlan, APolylineOfNoCornersDoesNotCostTheDrawing) {
+  const FloorPlan plan = plan_of(entities(hall + polyline("0", false, {}) + polyline("0", true, {})));
+  EXPECT_EQ(plan.obstacles.size(), 1u);
+  EXPECT_EQ(plan.lines.size(), 0u);
+}
+
+TEST(Simplified, ManyPointsAreLookedAtInTimeAndKeepTheTolerance) {
+  // Teeth that shrink: the farthest point from the chord is always the first, which takes a square of work if all are looked at each time.
+  Polyline teeth;
+  constexpr int count = 300'000;
+  for (int i = 0; i < count; ++i) teeth.push_back({1e-3 * i, (i % 2 == 0 ? 1.0 : -1.0) * (2.0 - 1.0 * i / count)});
+  EXPECT_EQ(simplified(teeth, 1e-3).size(), teeth.size());
+  Polyline flat;
+  for (int i = 0; i < count; ++i) flat.push_back({1e-3 * i, 4e-4 * (i % 2)});
+  EXPECT_LT(simplified(flat, 1e-3).size(), 200u);
+  EXPECT_EQ(simplified(flat, 1e-3).back(), flat.back());
+}
+
+TEST(FloorPlan, BlocksThatEnlargeWithoutEndAreRefused) {
+  // Twenty-seven levels of 10¹² each: the size is no number any more.
+  TestDrawing drawing;
+  for (int i = 0; i < 27; ++i) {
+    const std::string inner = i == 0 ? circle("0", 0, 0, 1) : groups({{0, "INSERT"}, {8, "0"}, {2, fmt::format("N{}", i - 1)}, {10, 0}, {20, 0}, {41, 1e12}, {42, 1e12}});
+    drawing.block(fmt::format("N{}", i), 0, 0, inner);
+  }
+  drawing.entities = groups({{0, "INSERT"}, {8, "0"}, {2, "N26"}, {10, 0}, {20, 0}}) + hall;
+  EXPECT_NE(error_of(drawing.text()).find("is enlarged more than 1e+12 times where it is inserted"), std::string::npos);
+}
+
 TEST(FloorPlan, LayerNamesOfOldAndNewFiles) {
   const FloorPlan plan = plan_of(entities(hall + line("B\xC3\xB6" "den", 0, 0, 1000, 5) + line("T\xFCr", 0, 0, 1000, 6) + line("Stra\\U+00DFe", 0, 0, 1000, 7)));
   EXPECT_SAYS(plan, "1 LINE on B\xC3\xB6" "den");
@@ -325,7 +422,7 @@ TEST_F(OutsideDrawings, AHouseDrawnInInchesThatSaysMillimetres) {
   READ_OR_SKIP(text, "floorplan.dxf");
   const std::string error = error_of(text);
   EXPECT_NE(error.find("this hall would be 0.803 m wide"), std::string::npos) << error;
-  EXPECT_NE(error.find("20.4 m in in"), std::string::npos) << error;
+  EXPECT_NE(error.find("20.4 m in inches"), std::string::npos) << error;
   Options options;
   options.unit = "in";
   const FloorPlan plan = plan_of(text, options);

@@ -78,6 +78,10 @@ Parsed<std::vector<Role>> roles_of(const Drawing& drawing, const std::string& na
     if (auto error = give(options.boundary_layer, "boundary_layer", Role::boundary)) return tl::unexpected{*error};
   }
   for (std::size_t i = 0; i < roles.size(); ++i) {
+    const Layer& layer = drawing.layers[i];
+    if (roles[i] == Role::boundary && (layer.frozen || layer.off)) {
+      return tl::unexpected{InputError{name, "boundary_layer", fmt::format("layer {} is {} in the drawing", layer.name, layer.frozen ? "frozen" : "off"), "a layer that is on"}};
+    }
     if (drawing.layers[i].frozen) roles[i] = Role::frozen;
     else if (drawing.layers[i].off) roles[i] = Role::off;
   }
@@ -108,7 +112,7 @@ std::string counted(const Counts& counts, const Drawing& drawing) {
     if (i < most_named) text += fmt::format("{}{} on {}", i == 0 ? "" : "; ", lines[i].second.kinds, drawing.layers[lines[i].first].name);
     else rest += lines[i].second.total;
   }
-  if (rest > 0.0) text += fmt::format("; {:.0f} more on {} other layers", rest, lines.size() - most_named);
+  if (rest > 0.0) text += fmt::format("; {:.0f} more on {} other {}", rest, lines.size() - most_named, lines.size() - most_named == 1 ? "layer" : "layers");
   return text;
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -87,12 +89,20 @@ std::optional<std::vector<std::string>> cells_of(std::string_view line, char sep
 
 }  // namespace
 
-Parsed<CsvTable> parse_csv_table(const std::string& text, const std::string& name, std::size_t most_rows, const std::string& wanted) {
+std::optional<double> csv_number(std::string_view cell) {
+  if (cell.size() > 1 && cell.front() == '+' && cell[1] != '-') cell.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (cell.empty() || error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+Parsed<void> walk_csv_table(const std::string& text, const std::string& name, std::size_t most_rows, const std::string& wanted,
+                            const std::function<std::optional<InputError>(CsvRow&&, bool)>& take) {
   std::string_view rest = text;
   if (rest.substr(0, 3) == "\xEF\xBB\xBF") rest.remove_prefix(3);
-  CsvTable table;
   char separator = ',';
-  std::size_t number = 0;
+  std::size_t number = 0, columns = 0, rows = 0;
   const auto refuse = [&](std::string problem, std::string allowed) {
     return tl::unexpected{InputError{name, fmt::format("line {}", number), std::move(problem), std::move(allowed)}};
   };
@@ -104,26 +114,37 @@ Parsed<CsvTable> parse_csv_table(const std::string& text, const std::string& nam
     if (line.size() > longest_line) return refuse("the line is too long", fmt::format("at most {} bytes", longest_line));
     if (const std::string_view content = trimmed(line); content.empty() || content.front() == '#') continue;
     if (!is_utf8(line)) return refuse("the text is not UTF-8", "a file saved as UTF-8");
-    const bool header = table.header.empty();
+    const bool header = columns == 0;
     if (header) separator = separator_of(line);
     auto cells = cells_of(line, separator);
     if (!cells) return refuse("a quoted cell does not end where it should", "\"…\" about a whole cell, on one line, a quote in it twice");
     if (header) {
-      if (cells->size() > most_columns) return refuse(fmt::format("there are {} columns", cells->size()), fmt::format("at most {}", most_columns));
-      table.header = std::move(*cells);
-      continue;
+      columns = cells->size();
+      if (columns > most_columns) return refuse(fmt::format("there are {} columns", columns), fmt::format("at most {}", most_columns));
+    } else {
+      while (cells->size() > columns && cells->back().empty()) cells->pop_back();
+      if (cells->size() > columns) {
+        return refuse(fmt::format("there are {} cells, and the header names {}", cells->size(), columns),
+                      "no more cells than columns; a cell that holds the separator stands in double quotes");
+      }
+      if (std::all_of(cells->begin(), cells->end(), [](const std::string& c) { return c.empty(); })) continue;
+      if (++rows > most_rows) return refuse("there are too many rows", fmt::format("at most {}", most_rows));
+      cells->resize(columns);
     }
-    while (cells->size() > table.header.size() && cells->back().empty()) cells->pop_back();
-    if (cells->size() > table.header.size()) {
-      return refuse(fmt::format("there are {} cells, and the header names {}", cells->size(), table.header.size()),
-                    "no more cells than columns; a cell that holds the separator stands in double quotes");
-    }
-    if (std::all_of(cells->begin(), cells->end(), [](const std::string& c) { return c.empty(); })) continue;
-    if (table.rows.size() >= most_rows) return refuse("there are too many rows", fmt::format("at most {}", most_rows));
-    cells->resize(table.header.size());
-    table.rows.push_back({number, std::move(*cells)});
+    if (auto error = take({number, std::move(*cells)}, header)) return tl::unexpected{*error};
   }
-  if (table.header.empty()) return tl::unexpected{InputError{name, "", "the file is empty: there is no header", wanted}};
+  if (columns == 0) return tl::unexpected{InputError{name, "", "the file is empty: there is no header", wanted}};
+  return {};
+}
+
+Parsed<CsvTable> parse_csv_table(const std::string& text, const std::string& name, std::size_t most_rows, const std::string& wanted) {
+  CsvTable table;
+  const auto walked = walk_csv_table(text, name, most_rows, wanted, [&](CsvRow&& row, bool is_header) -> std::optional<InputError> {
+    if (is_header) table.header = std::move(row.cells);
+    else table.rows.push_back(std::move(row));
+    return std::nullopt;
+  });
+  if (!walked) return tl::unexpected{walked.error()};
   return table;
 }
 

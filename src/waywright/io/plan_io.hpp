@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "waywright/core/result.hpp"
 #include "waywright/judge/plan.hpp"
@@ -18,8 +19,9 @@ Parsed<Plan> parse_plan(const std::string& text, const std::string& name);
 
 /// Poses from a CSV file with a header that names x, y, heading and optionally direction (m, m, rad, ±1; any order, comma,
 /// semicolon or tab; lines that begin with # skipped), as pieces of straight-interpolated poses, one per run of equal
-/// direction. A missing direction is found from the motion.
-Parsed<Path> read_poses_csv(const std::filesystem::path& file);
-Parsed<Path> parse_poses_csv(const std::string& text, const std::string& name);
+/// direction. A missing direction is found from the motion. A heading column whose name ends in _deg is in degrees. `notes`, where given, gets a
+/// sentence where headings in radians look like degrees.
+Parsed<Path> read_poses_csv(const std::filesystem::path& file, std::vector<std::string>* notes = nullptr);
+Parsed<Path> parse_poses_csv(const std::string& text, const std::string& name, std::vector<std::string>* notes = nullptr);
 
 }  // namespace waywright

@@ -3,21 +3,21 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
 
+#include "waywright/io/csv_table.hpp"
 #include "waywright/io/files.hpp"
 #include "waywright/io/json_reader.hpp"
 #include "waywright/io/plan_io.hpp"
+#include "waywright/io/scenario_json.hpp"
 
 namespace waywright {
 namespace {
 
 constexpr std::uint64_t largest_csv = 256ULL << 20;  // bytes
 constexpr std::size_t most_rows = 1'000'000;
-constexpr std::size_t longest_line = 1 << 16;  // bytes
 constexpr double same_place = 1e-6;            // m
 constexpr double same_heading = 1e-9;          // rad
 
@@ -26,116 +26,81 @@ struct Row {
   std::optional<int> direction;  ///< 1, −1 or 0; absent where the file has no such column
 };
 
-std::string_view trimmed(std::string_view text) {
-  const auto outer = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '"'; };
-  while (!text.empty() && outer(text.front())) text.remove_prefix(1);
-  while (!text.empty() && outer(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-std::vector<std::string_view> split(std::string_view line, char separator) {
-  std::vector<std::string_view> cells;
-  for (;;) {
-    const std::size_t end = line.find(separator);
-    cells.push_back(trimmed(line.substr(0, end)));
-    if (end == std::string_view::npos) return cells;
-    line.remove_prefix(end + 1);
-  }
-}
-
 enum Column { x_column, y_column, heading_column, direction_column, columns };
 constexpr std::array<const char*, columns> column_names{"x", "y", "heading", "direction"};
 
-std::optional<Column> column_of(std::string_view name) {
-  std::string n{name};
-  std::transform(n.begin(), n.end(), n.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (n == "x") return x_column;
-  if (n == "y") return y_column;
-  if (n == "heading" || n == "theta" || n == "yaw" || n == "th") return heading_column;
-  if (n == "direction" || n == "dir" || n == "gear") return direction_column;
+struct Named {
+  Column column;
+  bool degrees = false;
+};
+
+std::optional<Named> column_of(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(c < 0x80 ? std::tolower(c) : c); });
+  if (name == "x") return Named{x_column};
+  if (name == "y") return Named{y_column};
+  if (name == "direction" || name == "dir" || name == "gear") return Named{direction_column};
+  constexpr std::string_view degrees = "_deg";
+  const bool in_degrees = name.size() > degrees.size() && name.ends_with(degrees);
+  if (in_degrees) name.resize(name.size() - degrees.size());
+  if (name == "heading" || name == "theta" || name == "yaw" || name == "th") return Named{heading_column, in_degrees};
   return std::nullopt;
 }
 
-/// Decimal, whatever the locale; the whole cell.
-std::optional<double> number(std::string_view text) {
-  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
-}
-
-class CsvReader {
+class PosesReader {
  public:
-  explicit CsvReader(const std::string& name) : name_{name} {}
+  explicit PosesReader(const std::string& name) : name_{name} {}
 
-  Parsed<std::vector<Row>> read(std::string_view rest) {
-    if (rest.substr(0, 3) == "\xEF\xBB\xBF") rest.remove_prefix(3);
-    bool header = false;
-    for (line_ = 1; !rest.empty() && !error_; ++line_) {
-      const std::size_t end = rest.find('\n');
-      const std::string_view line = rest.substr(0, end);
-      rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
-      if (line.size() > longest_line)
-        refuse("the line is too long", fmt::format("at most {} bytes", longest_line));
-      else if (const std::string_view text = trimmed(line); text.empty() || text.front() == '#')
-        continue;
-      else if (header)
-        read_row(line);
-      else
-        read_header(line), header = true;
-    }
-    if (!header && !error_)
-      error_ = InputError{name_, "", "the file is empty: there is no header",
-                          "a header that names x, y, heading and optionally direction"};
-    if (error_) return tl::unexpected{*error_};
+  Parsed<std::vector<Row>> read(const std::string& text) {
+    const auto walked = walk_csv_table(text, name_, most_rows, "a header that names x, y, heading and optionally direction", [this](CsvRow&& row, bool is_header) {
+      line_ = row.line;
+      if (is_header) read_header(row.cells);
+      else read_row(row.cells);
+      return error_;
+    });
+    if (!walked) return tl::unexpected{walked.error()};
     return std::move(rows_);
   }
 
+  /// Headings that look like degrees; empty where there are none.
+  std::string doubt() const {
+    if (doubts_ == 0) return {};
+    const std::string more = doubts_ == 1 ? "" : fmt::format("; so are {} more", doubts_ - 1);
+    return fmt::format("{}{}; a column heading_deg takes degrees", first_doubt_, more);
+  }
+
  private:
-  void read_header(std::string_view line) {
-    for (const char separator : {'\t', ';', ','}) {
-      separator_ = separator;
-      if (line.find(separator) != std::string_view::npos) break;
-    }
-    const auto names = split(line, separator_);
+  void read_header(const std::vector<std::string>& names) {
     for (std::size_t i = 0; i < names.size(); ++i) {
-      const auto column = column_of(names[i]);
-      if (!column) continue;
-      if (where_[*column])
-        return refuse(fmt::format("the header names two columns for {}", column_names[*column]), "one");
-      where_[*column] = i;
+      const auto named = column_of(names[i]);
+      if (!named) continue;
+      if (where_[named->column]) return refuse(fmt::format("the header names two columns for {}", column_names[named->column]), "one");
+      where_[named->column] = i;
+      if (named->column == heading_column) in_degrees_ = named->degrees;
     }
     for (const Column column : {x_column, y_column, heading_column}) {
       if (where_[column]) continue;
-      return refuse(fmt::format("the header names no column \"{}\"", column_names[column]),
-                    "x, y, heading (or theta, yaw, th) and optionally direction (or dir, gear)");
+      return refuse(fmt::format("the header names no column \"{}\"", column_names[column]), "x, y, heading (or theta, yaw, th; heading_deg for degrees) and optionally direction (or dir, gear)");
     }
   }
 
-  void read_row(std::string_view line) {
-    if (rows_.size() >= most_rows)
-      return refuse("there are too many rows", fmt::format("at most {}", most_rows));
-    const auto cells = split(line, separator_);
+  void read_row(const std::vector<std::string>& cells) {
     std::array<double, columns> values{};
     for (const Column column : {x_column, y_column, heading_column, direction_column}) {
       if (!where_[column]) continue;
       const char* name = column_names[column];
-      if (*where_[column] >= cells.size() || cells[*where_[column]].empty())
-        return refuse(fmt::format("{} is missing", name), "a number");
-      const std::string_view cell = cells[*where_[column]];
-      const auto value = number(cell);
-      if (!value)
-        return refuse(fmt::format("{} is \"{}\"", name, shortened(std::string{cell})), "a finite number");
+      const std::string& cell = cells[*where_[column]];
+      if (cell.empty()) return refuse(fmt::format("{} is missing", name), "a number");
+      const auto value = csv_number(cell);
+      if (!value) return refuse(fmt::format("{} is \"{}\"", name, shortened(cell)), "a finite number");
       if (std::abs(*value) > largest_coordinate) {
-        return refuse(fmt::format("{} of {} is out of range", name, *value),
-                      fmt::format("{} to {}", -largest_coordinate, largest_coordinate));
+        return refuse(fmt::format("{} of {} is out of range", name, *value), fmt::format("{} to {}", -largest_coordinate, largest_coordinate));
       }
       values[column] = *value;
     }
-    Row row{{values[x_column], values[y_column], wrap(values[heading_column])}, std::nullopt};
+    double& heading = values[heading_column];
+    if (in_degrees_) heading = std::fmod(heading, 360.0) / 180.0 * pi;
+    else if (const auto sentence = heading_doubt(heading); sentence && doubts_++ == 0) first_doubt_ = fmt::format("line {}: heading: {}", line_, *sentence);
+    Row row{{values[x_column], values[y_column], wrap(heading)}, std::nullopt};
     if (where_[direction_column]) {
       const double d = values[direction_column];
       if (d != 1.0 && d != -1.0 && d != 0.0) return refuse(fmt::format("direction is {}", d), "1, -1, 0");
@@ -144,14 +109,14 @@ class CsvReader {
     rows_.push_back(row);
   }
 
-  void refuse(std::string problem, std::string allowed) {
-    error_ = InputError{name_, fmt::format("line {}", line_), std::move(problem), std::move(allowed)};
-  }
+  void refuse(std::string problem, std::string allowed) { error_ = InputError{name_, fmt::format("line {}", line_), std::move(problem), std::move(allowed)}; }
 
   const std::string& name_;
   std::size_t line_ = 1;
-  char separator_ = ',';
   std::array<std::optional<std::size_t>, columns> where_{};
+  bool in_degrees_ = false;
+  std::size_t doubts_ = 0;
+  std::string first_doubt_;
   std::vector<Row> rows_;
   std::optional<InputError> error_;
 };
@@ -171,9 +136,11 @@ int direction_of(const Row& from, const Row& to) {
 
 }  // namespace
 
-Parsed<Path> parse_poses_csv(const std::string& text, const std::string& name) {
-  const auto rows = CsvReader{name}.read(text);
+Parsed<Path> parse_poses_csv(const std::string& text, const std::string& name, std::vector<std::string>* notes) {
+  PosesReader reader{name};
+  const auto rows = reader.read(text);
   if (!rows) return tl::unexpected{rows.error()};
+  if (std::string doubt = reader.doubt(); notes != nullptr && !doubt.empty()) notes->push_back(std::filesystem::path{name}.filename().string() + ": " + std::move(doubt));
   Path path;
   Row at = rows->empty() ? Row{} : rows->front();  // where the path has come to
   bool stopped = false;                            // there, by a pose that stands twice
@@ -210,10 +177,10 @@ Parsed<Path> parse_poses_csv(const std::string& text, const std::string& name) {
   return path;
 }
 
-Parsed<Path> read_poses_csv(const std::filesystem::path& file) {
+Parsed<Path> read_poses_csv(const std::filesystem::path& file, std::vector<std::string>* notes) {
   auto text = read_file(file, largest_csv);
   if (!text) return tl::unexpected{text.error()};
-  return parse_poses_csv(*text, file.string());
+  return parse_poses_csv(*text, file.string(), notes);
 }
 
 }  // namespace waywright

@@ -124,9 +124,31 @@ TEST(PosesCsv, HeadingsAreWrapped) {
   EXPECT_NEAR(poses_of(pieces_of("x,y,heading\n0,0,6.5\n1,0,-12.5\n")[0])[0].heading, 6.5 - two_pi, 1e-12);
 }
 
+TEST(PosesCsv, HeadingsInDegreesAreTakenWhereTheColumnSaysSo) {
+  std::vector<std::string> notes;
+  const auto degrees = parse_poses_csv("x,y,Yaw_deg\n0,0,90\n0,1,450\n", "p.csv", &notes);
+  ASSERT_TRUE(degrees);
+  EXPECT_NEAR(start_pose(*degrees).heading, pi / 2, 1e-12);
+  EXPECT_NEAR(end_pose(*degrees).heading, pi / 2, 1e-12);
+  EXPECT_TRUE(notes.empty());
+  // Read as they stand, and doubted.
+  const auto radians = parse_poses_csv("x,y,heading\n0,0,6.28\n0,1,90\n0,2,90\n", "d/p.csv", &notes);
+  ASSERT_TRUE(radians);
+  EXPECT_NEAR(end_pose(*radians).heading, wrap(90.0), 1e-12);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0], "p.csv: line 3: heading: 90 rad is more than a whole turn and is taken as 2.0354 rad (116.6°); headings are in radians: 90° would be 1.5708; so are 1 more; a column "
+                      "heading_deg takes degrees");
+}
+
+TEST(BadPoses, CellsBeyondTheHeaderAreRefused) {
+  // A decimal comma would shift the cells: 1,5 is not x = 1.
+  EXPECT_EQ(sentence_of("x,y,heading\n1,5,0,0\n"),
+            "p.csv: line 2: there are 4 cells, and the header names 3 (allowed: no more cells than columns; a cell that holds the separator stands in double quotes)");
+}
+
 TEST(BadPoses, AreOneSentenceWithTheLine) {
   const std::string columns =
-      " (allowed: x, y, heading (or theta, yaw, th) and optionally direction (or dir, gear))";
+      " (allowed: x, y, heading (or theta, yaw, th; heading_deg for degrees) and optionally direction (or dir, gear))";
   EXPECT_EQ(sentence_of(""),
             "p.csv: the file is empty: there is no header (allowed: a header that names x, y, heading and "
             "optionally direction)");

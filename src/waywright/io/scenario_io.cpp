@@ -35,6 +35,15 @@ void not_yet(const Node& node, const char* field) {
     list.fail("it is not supported yet", "an empty array");
 }
 
+/// Says so where a heading looks like one in degrees.
+void doubt(const Node& heading, std::vector<std::string>& notes) {
+  if (heading.failed() || !heading.json().is_number()) return;
+  if (const auto sentence = heading_doubt(heading.json().get<double>())) notes.push_back(heading.path() + ": " + *sentence);
+}
+void doubt_pose(const Node& pose, std::vector<std::string>& notes) {
+  if (!pose.failed() && pose.is_array() && pose.json().size() == 3) doubt(pose.at(2), notes);
+}
+
 void read_start(const Node& node, Scenario& scenario) {
   if (!node.is_object()) {
     scenario.start = node.pose();
@@ -187,7 +196,25 @@ void check_format(const Node& node, const char* what) {
       wanted + "1");
 }
 
-Scenario read_scenario_node(const Node& node, const fs::path& folder, const Site* site) {
+std::optional<std::string> heading_doubt(double radians) {
+  constexpr double degrees = 180.0 / pi;
+  if (!(std::abs(radians) > two_pi)) return std::nullopt;
+  return fmt::format("{:g} rad is more than a whole turn and is taken as {:.4f} rad ({:.1f}°); headings are in radians: {:g}° would be {:.4f}", radians, wrap(radians), wrap(radians) * degrees, radians,
+                     wrap(std::fmod(radians, 360.0) / degrees));
+}
+
+std::vector<std::string> outline_doubts(const Map& drawing, Vec2 start) {
+  std::vector<std::string> sentences;
+  for (std::size_t i = 0; i < drawing.obstacles.size(); ++i) {
+    const Ring& ring = drawing.obstacles[i];
+    if (!contains(ring, start)) continue;
+    sentences.push_back(fmt::format("the start lies inside of obstacle {}, a closed outline of {:.1f} m², which is solid; if it is the outline of a room, name its layer as boundary_layer", i,
+                                    std::abs(signed_area(ring))));
+  }
+  return sentences;
+}
+
+Scenario read_scenario_node(const Node& node, const fs::path& folder, const Site* site, const std::vector<std::string>& noted) {
   Scenario scenario;
   check_format(node, "scenario");  // first: a newer one may well have fields that are unknown here
   if (node.failed() || !node.is_object_of({"format", "name", "meta", "map", "vehicle", "start", "goal",
@@ -216,8 +243,15 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder, const Site
     if (!source.is_object()) source = Json::object();
   }
   if (node.failed()) return scenario;
+  notes.insert(notes.end(), noted.begin(), noted.end());
   read_start(node.at("start"), scenario);
+  doubt_pose(node.at("start").has("pose") ? node.at("start").at("pose") : node.at("start"), notes);
   scenario.mission = read_mission(node, notes);
+  if (node.has("goal")) doubt_pose(node.at("goal"), notes);
+  if (std::holds_alternative<Station>(scenario.mission) && !node.failed()) doubt(node.at("station").at("shelf").at("heading"), notes);
+  if (site == nullptr && !node.failed() && node.at("map").has("dxf")) {
+    for (std::string& sentence : outline_doubts(scenario.map, scenario.start.position())) notes.push_back("map: " + std::move(sentence));
+  }
   if (node.has("waypoints")) scenario.waypoints = read_waypoints(node.at("waypoints"));
   if (node.has("waypoint_radius")) {
     scenario.waypoint_radius = node.at("waypoint_radius").number(0.0, 1e3);
@@ -229,7 +263,7 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder, const Site
   not_yet(node, "zones");
   not_yet(node, "moving");
   if (node.has("budget")) scenario.budget = read_budget(node.at("budget"));
-  if (!scenario.waypoints.empty()) scenario.planner.name = "waypoint_clothoid";
+  if (!scenario.waypoints.empty()) scenario.planner.name = planner_through_waypoints;
   if (node.has("planner")) {
     const Node planner = node.at("planner");
     if (planner.is_object()) scenario.planner.name = planner.at("name").text();

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "waywright/io/json_reader.hpp"
 #include "waywright/io/scenario_io.hpp"
@@ -9,10 +11,21 @@
 
 namespace waywright {
 
+/// Of missions with waypoints that name no planner.
+inline constexpr const char* planner_through_waypoints = "waypoint_clothoid";
+
 /// The whole scenario object; what is wrong is in the context. Paths in it are relative to `folder`. With `site` the object names no map and
-/// no vehicle: the vehicle, the notes and the map's record are the site's, and the scenario's map holds nothing but the notes.
-Scenario read_scenario_node(const Node& node, const std::filesystem::path& folder, const Site* site = nullptr);
+/// no vehicle: the vehicle, the notes and the map's record are the site's, and the scenario's map holds nothing but the notes. `noted`: what is
+/// known of it already, for its notes.
+Scenario read_scenario_node(const Node& node, const std::filesystem::path& folder, const Site* site = nullptr, const std::vector<std::string>& noted = {});
 Json scenario_to_json(const Scenario& scenario);
+
+/// An angle that is read in radians and is more than a whole turn: what it is taken for, and what it would be as degrees. Such angles are wrapped, as
+/// asked for, but hardly anybody means that.
+std::optional<std::string> heading_doubt(double radians);
+
+/// Of a map that is a drawing: the closed outlines that a start lies inside of. They are solid, and one of them may be that of a room.
+std::vector<std::string> outline_doubts(const Map& drawing, Vec2 start);
 
 /// A planner's parameters: every member of the object but `name`.
 Parameters read_parameters(const Node& node);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -63,14 +62,6 @@ struct Group {
   std::size_t size;
 };
 constexpr Group groups[] = {{"start", 3}, {"goal", 3}, {"station.shelf.center", 2}, {"station.shelf.size", 2}};
-
-std::optional<double> number(std::string_view text) {
-  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
 
 std::vector<std::string> steps_of(const std::string& path) {
   std::vector<std::string> steps(1);
@@ -136,7 +127,7 @@ std::optional<Json> points_from(std::string_view text) {
       continue;
     }
     const std::string_view word = text.substr(0, text.find_first_of(" \t|"));
-    const auto value = number(word);
+    const auto value = csv_number(word);
     if (!value) return std::nullopt;
     point.push_back(*value);
     text.remove_prefix(word.size());
@@ -153,12 +144,16 @@ Json area_from(Json points) {
 class RowReader {
  public:
   RowReader(const std::vector<Column>& columns, const std::string& file, const Site& site, const SiteDefaults& defaults)
-      : columns_{columns}, file_{file}, site_{site}, defaults_{defaults} {}
+      : columns_{columns}, file_{file}, site_{site}, defaults_{defaults} {
+    const Json source = Json::parse(site.map_source, nullptr, false);
+    is_drawing_ = source.is_object() && source.value("kind", "") == "dxf";
+  }
 
   Parsed<SiteRow> read(const CsvRow& row) {
     row_ = &row;
     json_ = Json{{"format", "waywright-scenario/1"}};
     parts_.clear();
+    noted_.clear();
     error_.reset();
     for (std::size_t i = 0; i < columns_.size() && !error_; ++i) {
       if (!row.cells[i].empty()) read_cell(columns_[i], row.cells[i]);
@@ -167,10 +162,17 @@ class RowReader {
     if (!error_ && !json_.contains("name")) refuse("name", "the place has no name", "a name that no other place has");
     if (error_) return tl::unexpected{*error_};
     fill_defaults();
+    if (is_drawing_ && parts_.contains("start[0]") && parts_.contains("start[1]")) {
+      for (std::string& sentence : outline_doubts(site_.map, {parts_["start[0]"], parts_["start[1]"]})) noted_.push_back(std::move(sentence));
+    }
     ReadContext context{origin(), {}};
-    SiteRow result{json_["name"].get<std::string>(), fmt::format("{}: line {}", file_, row.line), {}};
-    result.scenario = read_scenario_node(Node{json_, "", context}, {}, &site_);
-    if (!context.error) return result;
+    SiteRow result{json_["name"].get<std::string>(), fmt::format("{}: line {}", file_, row.line), {}, {}};
+    result.scenario = read_scenario_node(Node{json_, "", context}, {}, &site_, noted_);
+    if (!context.error) {
+      const std::vector<std::string>& all = result.scenario.map.notes;
+      result.notes.assign(all.begin() + static_cast<std::ptrdiff_t>(std::min(site_.notes.size(), all.size())), all.end());
+      return result;
+    }
     InputError error = *context.error;
     error.field = column_for(error.field);
     return tl::unexpected{error};
@@ -185,12 +187,20 @@ class RowReader {
       if (!points) return refuse(column.name, fmt::format("\"{}\" is no list of points", shortened(cell)), "x y | x y | …, decimal points");
       return set(column, column.path == "station.area" ? area_from(std::move(*points)) : std::move(*points));
     }
-    const auto value = number(cell);
+    const auto value = csv_number(cell);
     if (!value) return refuse(column.name, fmt::format("\"{}\" is no number", shortened(cell)), "a finite number with a decimal point");
-    const double radians = *column.kind == Known::Kind::degrees ? *value / 180.0 * pi : *value;
+    double radians = *column.kind == Known::Kind::degrees ? *value / 180.0 * pi : *value;
+    if (is_heading(column)) {
+      if (const auto doubt = *column.kind == Known::Kind::number ? heading_doubt(radians) : std::nullopt) {
+        noted_.push_back(fmt::format("{}: {} (a column {}_deg takes degrees)", column.name, *doubt, column.name));
+      }
+      radians = wrap(radians);
+    }
     if (column.path.back() == ']') parts_[column.path] = radians;
     else set(column, radians);
   }
+
+  static bool is_heading(const Column& column) { return column.path == "start[2]" || column.path == "goal[2]" || column.path == "station.shelf.heading"; }
 
   /// Of a dotted name: a number, true, false, an array or an object; anything else is text.
   static Json value_from(const std::string& cell) {
@@ -226,7 +236,8 @@ class RowReader {
     if (defaults_.seed && !json_.contains("seed")) json_["seed"] = *defaults_.seed;
     const bool named = json_.contains("planner") && json_["planner"].is_object() && json_["planner"].contains("name");
     if (!named && (!defaults_.planner.empty() || json_.contains("planner"))) {
-      json_["planner"]["name"] = defaults_.planner.empty() ? PlannerChoice{}.name : defaults_.planner;
+      const std::string otherwise = json_.contains("waypoints") ? planner_through_waypoints : PlannerChoice{}.name;
+      json_["planner"]["name"] = defaults_.planner.empty() ? otherwise : defaults_.planner;
     }
   }
 
@@ -256,8 +267,10 @@ class RowReader {
   const std::string& file_;
   const Site& site_;
   const SiteDefaults& defaults_;
+  bool is_drawing_ = false;  ///< the site's map
   const CsvRow* row_ = nullptr;
   Json json_;
+  std::vector<std::string> noted_;
   std::map<std::string, double> parts_;
   std::optional<InputError> error_;
 };

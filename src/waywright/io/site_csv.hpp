@@ -22,6 +22,7 @@ struct SiteRow {
   std::string name;
   std::string origin;  ///< "stations.csv: line 7", for messages
   Scenario scenario;   ///< without the map, which is the site's; its notes are there
+  std::vector<std::string> notes;  ///< of them, those of this row alone
 };
 
 /// Every row becomes a scenario object that the scenario's reader reads: what it refuses is told with the row's line, its name and the

@@ -71,6 +71,27 @@ TEST(SiteCsv, DefaultsAreForRowsThatSayNothing) {
   EXPECT_EQ(b.seed, 6U);
 }
 
+TEST(SiteCsv, RowsWithWaypointsGetThePlannerForThem) {
+  const auto rows = rows_of("name,start_x,start_y,start_heading,goal_x,goal_y,goal_heading,waypoints,planner,planner.evaluations\nA,0,0,0,9,0,0,3 1 | 6 1,,50\nB,0,0,0,9,0,0,3 1,,\nC,0,0,0,9,0,0,,,50\n");
+  ASSERT_TRUE(rows) << rows.error().message();
+  EXPECT_EQ((*rows)[0].scenario.planner.name, "waypoint_clothoid");
+  EXPECT_EQ((*rows)[0].scenario.waypoints, (std::vector<Vec2>{{3, 1}, {6, 1}}));
+  EXPECT_EQ((*rows)[1].scenario.planner.name, "waypoint_clothoid");
+  EXPECT_EQ((*rows)[2].scenario.planner.name, "pattern_docking");
+}
+
+TEST(SiteCsv, WhatIsStrangeInARowIsNotedWithItsColumn) {
+  const auto rows = rows_of("name,start_x,start_y,start_heading,goal_x,goal_y,goal_heading_deg\nA,0,0,-90,9,0,720\nB,0,0,6.2,9,0,90\n");
+  ASSERT_TRUE(rows) << rows.error().message();
+  ASSERT_EQ((*rows)[0].notes.size(), 1U);
+  EXPECT_EQ((*rows)[0].notes[0], "start_heading: -90 rad is more than a whole turn and is taken as -2.0354 rad (-116.6°); headings are in radians: -90° would be -1.5708 (a column start_heading_deg takes degrees)");
+  EXPECT_EQ((*rows)[0].scenario.map.notes, (std::vector<std::string>{"a note", (*rows)[0].notes[0]}));
+  EXPECT_NE((*rows)[0].scenario.map_source.find("start_heading: -90 rad"), std::string::npos);
+  EXPECT_NEAR((*rows)[0].scenario.start.heading, wrap(-90.0), 1e-12);
+  EXPECT_NEAR(std::get<Pose>((*rows)[0].scenario.mission).heading, 0.0, 1e-12);
+  EXPECT_TRUE((*rows)[1].notes.empty());
+}
+
 TEST(SiteCsv, WhatIsWrongIsToldWithLineNameAndColumn) {
   const std::string header = "name,start_x,start_y,start_heading,goal_x,goal_y,goal_heading,clearance\n";
   EXPECT_EQ(refusal(header + "A,0,0,0,1,0,0,0\nB,0,zero,0,1,0,0,0\n"), "s.csv: line 3 (B): start_y: \"zero\" is no number (allowed: a finite number with a decimal point)");

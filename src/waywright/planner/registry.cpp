@@ -8,13 +8,10 @@
 #include "waywright/planner/docking/published_docking.hpp"
 #include "waywright/planner/ompl/rrt_connect.hpp"
 #include "waywright/planner/waypoint/describe.hpp"
+#include "waywright/scenario/parameter_values.hpp"
 
 namespace waywright {
 namespace {
-
-double number(const Parameters& p, const char* name) { return std::get<double>(p.at(name)); }
-const std::string& word(const Parameters& p, const char* name) { return std::get<std::string>(p.at(name)); }
-std::int64_t whole(const Parameters& p, const char* name) { return static_cast<std::int64_t>(number(p, name)); }
 
 SideChoice side_choice(const std::string& name) {
   return name == "left" ? SideChoice::left : name == "right" ? SideChoice::right : SideChoice::both;
@@ -72,19 +69,19 @@ PlannerDescription pattern_docking_description() {
           "docking pattern with one change of direction, curvature-continuous, transition point and heading searched on both sides",
           parameters, [](const Parameters& p, std::uint64_t seed) -> AnyPlanner {
             PatternDockingOptions options;
-            options.evaluations = whole(p, "evaluations");
-            options.population = static_cast<int>(number(p, "population"));
-            options.heading_range = number(p, "heading_range");
-            options.leads = {number(p, "start_straight"), number(p, "transition_straight"), number(p, "dock_straight")};
-            options.weights = {number(p, "curvature_weight"), number(p, "length_weight")};
-            options.objective = objective_of(word(p, "objective"));
-            options.sides = side_choice(word(p, "sides"));
-            options.gap = number(p, "gap");
+            options.evaluations = whole_number_of(p, "evaluations");
+            options.population = static_cast<int>(number_of(p, "population"));
+            options.heading_range = number_of(p, "heading_range");
+            options.leads = {number_of(p, "start_straight"), number_of(p, "transition_straight"), number_of(p, "dock_straight")};
+            options.weights = {number_of(p, "curvature_weight"), number_of(p, "length_weight")};
+            options.objective = objective_of(word_of(p, "objective"));
+            options.sides = side_choice(word_of(p, "sides"));
+            options.gap = number_of(p, "gap");
             std::optional<AnyPlanner> fallback;
-            if (std::get<bool>(p.at("fallback"))) fallback = RrtConnectPlanner{RrtConnectOptions{.goal_straight = options.leads.dock}, seed};
-            return PatternDockingPlanner{options, optimizer_of(word(p, "optimizer")), seed, std::move(fallback)};
+            if (flag_of(p, "fallback")) fallback = RrtConnectPlanner{RrtConnectOptions{.goal_straight = options.leads.dock}, seed};
+            return PatternDockingPlanner{options, optimizer_of(word_of(p, "optimizer")), seed, std::move(fallback)};
           },
-          [](const Parameters& p) { return std::get<bool>(p.at("fallback")); }, true};
+          [](const Parameters& p) { return flag_of(p, "fallback"); }, true};
 }
 
 PlannerDescription published_docking_description() {
@@ -102,15 +99,15 @@ PlannerDescription published_docking_description() {
           "the docking publication's own form: natural cubic splines, tested at samples; for comparison", parameters,
           [](const Parameters& p, std::uint64_t seed) -> AnyPlanner {
             PublishedDockingOptions options;
-            options.evaluations = whole(p, "evaluations");
-            options.population = static_cast<int>(number(p, "population"));
-            options.segment = number(p, "segment");
-            options.curvature_factor = number(p, "curvature_factor");
-            options.least_side = number(p, "least_side");
-            options.weights = {number(p, "curvature_weight"), number(p, "length_weight")};
-            options.objective = objective_of(word(p, "objective"));
-            options.sides = side_choice(word(p, "sides"));
-            return PublishedDockingPlanner{options, optimizer_of(word(p, "optimizer")), seed};
+            options.evaluations = whole_number_of(p, "evaluations");
+            options.population = static_cast<int>(number_of(p, "population"));
+            options.segment = number_of(p, "segment");
+            options.curvature_factor = number_of(p, "curvature_factor");
+            options.least_side = number_of(p, "least_side");
+            options.weights = {number_of(p, "curvature_weight"), number_of(p, "length_weight")};
+            options.objective = objective_of(word_of(p, "objective"));
+            options.sides = side_choice(word_of(p, "sides"));
+            return PublishedDockingPlanner{options, optimizer_of(word_of(p, "optimizer")), seed};
           }};
 }
 

@@ -103,9 +103,9 @@ std::string chart_svg(const Chart& chart, double width, double height) {
   if (!chart.s.empty()) out += fmt::format("<polyline class=\"curve\" points=\"{}\"/>\n", points_of(chart.s, chart.value));
   double below = height + 4.0;
   for (const ChartSeries& series : chart.series) {
-    out += fmt::format("<polyline fill=\"none\" stroke=\"{0}\" stroke-width=\"1.8\" points=\"{1}\"/>\n<line x1=\"{2}\" y1=\"{3}\" x2=\"{4}\" y2=\"{3}\" stroke=\"{0}\" stroke-width=\"3\"/>"
+    out += fmt::format("<polyline fill=\"none\" {0} stroke-width=\"1.8\" points=\"{1}\"/>\n<line x1=\"{2}\" y1=\"{3}\" x2=\"{4}\" y2=\"{3}\" {0} stroke-width=\"3\"/>"
                        "<text class=\"small\" x=\"{5}\" y=\"{6}\">{7}</text>\n",
-                       series.colour, points_of(series.s, series.value), fixed(left), fixed(below - 4.0), fixed(left + 28.0), fixed(left + 36.0), fixed(below), escaped(series.name));
+                       series.stroke, points_of(series.s, series.value), fixed(left), fixed(below - 4.0), fixed(left + 40.0), fixed(left + 48.0), fixed(below), escaped(series.name));
     below += legend_line;
   }
   std::vector<double> names;  // where names stand: two limits close together keep theirs apart

@@ -13,7 +13,8 @@ struct ChartLimit {
 
 /// One of several curves in one chart.
 struct ChartSeries {
-  std::string name, colour;
+  std::string name;
+  std::string stroke;  ///< attributes of its line, as XML
   std::vector<double> s, value;
 };
 

@@ -19,6 +19,9 @@ constexpr double degrees = 180.0 / pi;
 constexpr double least_top = 0.5;   // m of clearance that is shown at least
 constexpr double top_factor = 6.0;  // of the required clearance
 
+/// Where a chart of clearances is cut off: what is known of them ends at clearance_cap.
+double top_of(double least, double required) { return std::min(std::max(least, top_factor * required), clearance_cap); }
+
 /// A chart of one value a sample.
 Chart chart_of(std::string title, const Plan& plan, const auto& value) {
   Chart chart;
@@ -36,8 +39,8 @@ Chart clearance_chart(const Problem& problem, const Plan& plan) {
   const std::vector<double> clearance = clearances_along(problem, plan.path, plan.samples);
   const double required = problem.required_clearance();
   // What is near matters: metres of room would press the requirement and the last approach into the axis.
-  const double top = std::max(least_top, top_factor * required);
-  const bool over = *std::max_element(clearance.begin(), clearance.end()) > top;
+  const double top = top_of(least_top, required);
+  const bool over = *std::max_element(clearance.begin(), clearance.end()) >= top;
   Chart chart = chart_of(over ? fmt::format("Clearance in m, cut off at {:g} m", top) : "Clearance in m",
                          plan, [&](std::size_t i) { return std::min(clearance[i], top); });
   if (required > 0.0) chart.limits = {{required, "required"}};
@@ -96,18 +99,18 @@ std::string charts_html(const Problem& problem, const Plan& plan) {
 
 std::string clearances_svg(const Problem& problem, const std::vector<std::pair<std::string, const Plan*>>& plans, double width) {
   constexpr double far = 2.0;  // m
-  const double top = std::max(far, top_factor * problem.required_clearance());
+  const double top = top_of(far, problem.required_clearance());
   Chart chart;
   bool is_cut = false;
   for (std::size_t i = 0; i < plans.size(); ++i) {
     const auto& [name, plan] = plans[i];
     if (plan->samples.empty()) continue;
-    ChartSeries series{fmt::format("{} ({})", name, to_string(plan->status)), overlay_colour(i), {}, {}};
+    ChartSeries series{fmt::format("{} ({})", name, to_string(plan->status)), stroke_attributes(overlay_stroke(i)), {}, {}};
     const std::vector<double> clearance = clearances_along(problem, plan->path, plan->samples);
     for (std::size_t k = 0; k < clearance.size(); ++k) {
       series.s.push_back(plan->samples[k].s);
       series.value.push_back(std::min(clearance[k], top));
-      is_cut = is_cut || clearance[k] > top;
+      is_cut = is_cut || clearance[k] >= top;
     }
     chart.series.push_back(std::move(series));
   }

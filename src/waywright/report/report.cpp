@@ -37,7 +37,7 @@ std::string top(const Plan& plan) {
   const std::string name = plan.scenario.name.empty() ? "Plan" : plan.scenario.name;
   std::string out = fmt::format("<h1>{}</h1>\n<p class=\"verdict {}\">{}</p>\n", escaped(name),
                                 good ? "good" : "bad", escaped(headline(plan)));
-  if (!plan.reason.empty()) out += fmt::format("<p>{}</p>\n", escaped(reason_once(plan)));
+  if (!plan.reason.empty()) out += fmt::format("<p>{}</p>\n", escaped(reason_once(plan, true)));
   for (const std::string& warning : warnings(plan))
     out += fmt::format("<p class=\"warn\">{}</p>\n", escaped(warning));
   const std::vector<std::string>& repairs = plan.scenario.map.notes;

@@ -310,16 +310,16 @@ std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std:
   double y = canvas.height + 40.0;
   for (std::size_t i = 0; i < plans.size(); ++i) {
     const auto& [name, plan] = plans[i];
-    const char* colour = overlay_colour(i);
+    const std::string stroke = stroke_attributes(overlay_stroke(i));
     if (!plan->samples.empty()) {
       std::vector<Vec2> points;
       for (const Sample& s : plan->samples) points.push_back({s.x, s.y});
-      svg.coloured_polyline(points, colour);
+      svg.stroked_polyline(points, stroke);
     }
     legend += fmt::format(
-        "<line x1=\"12\" y1=\"{0}\" x2=\"40\" y2=\"{0}\" stroke=\"{1}\" stroke-width=\"3\"/><text "
-        "class=\"small\" x=\"48\" y=\"{2}\">{3} ({4})</text>\n",
-        fixed(y - 4), colour, fixed(y), escaped(name), to_string(plan->status));
+        "<line x1=\"12\" y1=\"{0}\" x2=\"52\" y2=\"{0}\" {1} stroke-width=\"3\"/><text "
+        "class=\"small\" x=\"60\" y=\"{2}\">{3} ({4})</text>\n",
+        fixed(y - 4), stroke, fixed(y), escaped(name), to_string(plan->status));
     y += 18.0;
   }
   draw_waypoints(svg, scenario);

@@ -196,9 +196,18 @@ void draw_scale(SvgWriter& svg, const Canvas& canvas) {
                   fixed(y + 4), fixed(metres)));
 }
 
-const char* overlay_colour(std::size_t i) {
+OverlayStroke overlay_stroke(std::size_t i) {
   static constexpr std::array<const char*, 8> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7a828a", "#b3a100"};
-  return palette[i % palette.size()];
+  OverlayStroke stroke{palette[i % palette.size()], {}};
+  // Once the colours are used up: dashes, then dashes with one dot, with two …
+  const std::size_t round = i / palette.size();
+  if (round > 0) stroke.dashes = "12 5";
+  for (std::size_t dot = 1; dot < round; ++dot) stroke.dashes += " 3 5";
+  return stroke;
+}
+
+std::string stroke_attributes(const OverlayStroke& stroke) {
+  return fmt::format("stroke=\"{}\"{}", stroke.colour, stroke.dashes.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", stroke.dashes));
 }
 
 void draw_waypoints(SvgWriter& svg, const Scenario& scenario) {

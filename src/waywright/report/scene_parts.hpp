@@ -41,8 +41,14 @@ void draw_sweep(SvgWriter& svg, const Footprint& footprint, const std::vector<Sa
 
 void draw_waypoints(SvgWriter& svg, const Scenario& scenario);
 
-/// Of the i-th of several plans in one picture.
-const char* overlay_colour(std::size_t i);
+/// Of the i-th of several plans in one picture; no two have both alike.
+struct OverlayStroke {
+  const char* colour;
+  std::string dashes;  ///< as stroke-dasharray; empty: solid
+};
+OverlayStroke overlay_stroke(std::size_t i);
+/// The attributes of an SVG element that is drawn so.
+std::string stroke_attributes(const OverlayStroke& stroke);
 /// The <svg> element about a picture.
 std::string framed(std::string body, double width, double height, std::string_view title);
 

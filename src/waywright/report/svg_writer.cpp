@@ -61,9 +61,8 @@ void SvgWriter::polygon(const std::vector<Vec2>& ring, std::string_view style_cl
   out_ += fmt::format("<polygon class=\"{}\" points=\"{}\"/>\n", style_class, points(ring));
 }
 
-void SvgWriter::coloured_polyline(const std::vector<Vec2>& line, std::string_view colour) {
-  out_ += fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"3\" points=\"{}\"/>\n", colour,
-                      points(line));
+void SvgWriter::stroked_polyline(const std::vector<Vec2>& line, std::string_view attributes) {
+  out_ += fmt::format("<polyline fill=\"none\" {} stroke-width=\"3\" points=\"{}\"/>\n", attributes, points(line));
 }
 
 void SvgWriter::polyline(const std::vector<Vec2>& line, std::string_view style_class) {

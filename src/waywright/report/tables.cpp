@@ -73,6 +73,15 @@ std::string footprint_words(const Footprint& footprint) {
                      fixed(box.high.y - box.low.y, 3), fixed(-box.low.x, 3), fixed(box.high.x, 3));
 }
 
+std::string waypoint_words(const std::vector<Vec2>& waypoints) {
+  constexpr std::size_t most_told = 40;
+  std::string text;
+  for (std::size_t i = 0; i < waypoints.size() && i < most_told; ++i)
+    text += fmt::format("{}{}: ({}, {})", i == 0 ? "" : ", ", i + 1, fixed(waypoints[i].x, 3), fixed(waypoints[i].y, 3));
+  if (waypoints.size() > most_told) text += fmt::format(" … and {} more", waypoints.size() - most_told);
+  return text;
+}
+
 std::string parameter_words(const Parameters& parameters) {
   std::string text;
   for (const auto& [name, value] : parameters) {
@@ -142,6 +151,10 @@ std::string scenario_table(const Problem& problem, const Plan& plan) {
   } else {
     const Pose& g = std::get<Pose>(s.mission);
     rows.push_back({"Goal", pose_words(g), ""});
+  }
+  if (!s.waypoints.empty()) {
+    rows.push_back({"Waypoints", waypoint_words(s.waypoints),
+                    s.waypoint_radius > 0.0 ? fmt::format("passed in this order, each within {} m", fixed(s.waypoint_radius, 4)) : "passed in this order, each exactly"});
   }
   if (problem.pocket()) {
     const Pose& p = problem.pocket()->inner;

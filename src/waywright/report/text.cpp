@@ -16,7 +16,7 @@ std::string plan_text(const Plan& plan) {
   };
   out += fmt::format("{}: {}\n", plan.scenario.name.empty() ? "plan" : plan.scenario.name,
                      to_string(plan.status));
-  if (!plan.reason.empty()) out += "  " + reason_once(plan) + "\n";
+  if (!plan.reason.empty()) out += "  " + reason_once(plan, false) + "\n";
   row("planner", plan.planner);
   if (!plan.samples.empty()) {
     const Metrics& m = plan.metrics;

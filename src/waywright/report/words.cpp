@@ -104,7 +104,13 @@ std::vector<std::string> warnings(const Plan& plan) {
   return all;
 }
 
-std::string reason_once(const Plan& plan) {
+std::string reason_once(const Plan& plan, bool beside_alternatives) {
+  for (const Alternative& a : beside_alternatives ? plan.alternatives : std::vector<Alternative>{}) {
+    // "…; the second choice found none either: WHY" ends before the why that stands in the table.
+    const std::size_t at = core_of(a.outcome).empty() ? std::string::npos : plan.reason.find(core_of(a.outcome));
+    if (at == std::string::npos || at < 2 || plan.reason.compare(at - 2, 2, ": ") != 0) continue;
+    return as_sentence(plan.reason.substr(0, at - 2));
+  }
   std::size_t first = std::string::npos;
   for (const std::string& sentence : plan.explanation) {
     if (says(sentence, plan.reason)) continue;

@@ -29,9 +29,9 @@ std::optional<std::string> alignment_warning(const Scenario& scenario);
 /// "0.012, 0.008 m", empty where the map was not aligned by points.
 std::string residual_words(const Alignment& alignment);
 
-/// The reason without what the explanation or the alternatives say in the same words; empty where they say
+/// The reason without what the explanation or, beside them, the alternatives say in the same words; empty where they say
 /// all of it.
-std::string reason_once(const Plan& plan);
+std::string reason_once(const Plan& plan, bool beside_alternatives);
 /// The explanation without what the alternatives' outcomes or the reason say in the same words.
 std::vector<std::string> explanation_once(const Plan& plan, bool beside_alternatives);
 

@@ -9,7 +9,6 @@
 #include <limits>
 #include <new>
 #include <optional>
-#include <thread>
 
 #include "waywright/core/version.hpp"
 #include "waywright/io/files.hpp"
@@ -21,6 +20,7 @@
 #include "waywright/report/spots.hpp"
 #include "waywright/report/words.hpp"
 #include "waywright/scenario/problem.hpp"
+#include "waywright/study/threads.hpp"
 
 namespace waywright {
 namespace {
@@ -95,7 +95,10 @@ Parsed<std::optional<Checked>> check_one(const Place& place, std::size_t index, 
   const std::string key = key_of(place);
   const fs::path folder = options.folder / place.folder;
   if (!options.fresh) {
-    if (auto kept = kept_result(folder, key)) return Checked{index, true, std::move(*kept)};
+    if (auto kept = kept_result(folder, key)) {
+      kept->name = place.name;  // of a scenario without one: its file may have another by now
+      return Checked{index, true, std::move(*kept)};
+    }
   }
   const auto of_place = [&](InputError error) {
     error.file = place.origin;
@@ -175,6 +178,7 @@ Parsed<void> complete_places(std::vector<Place>& places) {
     };
     auto parameters = complete_parameters(place.scenario.planner);
     if (!parameters) return refuse(parameters.error());
+    if (auto takes = check_mission(place.scenario.planner.name, place.scenario); !takes) return refuse(takes.error());
     if (auto kept = check_budget(place.scenario.planner.name, *parameters, place.scenario.budget); !kept) return refuse(kept.error());
     place.scenario.planner.parameters = std::move(*parameters);
     place.folder = folder_name(place.name);
@@ -216,11 +220,7 @@ Parsed<std::vector<Checked>> check(const std::vector<Place>& places, const Check
       if (options.progress) options.progress(done, places.size());
     }
   };
-  const unsigned wanted = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::thread> threads;
-  for (unsigned t = 1; t < std::min<std::size_t>(wanted, places.size()); ++t) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
+  on_threads(options.threads, places.size(), work);
   for (const auto& error : errors) {
     if (error) return tl::unexpected{*error};
   }

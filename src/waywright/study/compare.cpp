@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <tuple>
 
 #include "waywright/core/budget.hpp"
 #include "waywright/judge/import.hpp"
 #include "waywright/study/outside.hpp"
+#include "waywright/study/threads.hpp"
 
 namespace waywright {
 namespace {
@@ -63,12 +63,7 @@ std::vector<Run> compare(const std::vector<Problem>& problems, const std::vector
       if (options.progress) options.progress(done, all.size());
     }
   };
-  const unsigned wanted =
-      options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::thread> threads;
-  for (unsigned t = 1; t < std::min<std::size_t>(wanted, all.size()); ++t) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
+  on_threads(options.threads, all.size(), work);
   std::vector<Run> kept;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (finished[i] != 0) kept.push_back(std::move(all[i]));

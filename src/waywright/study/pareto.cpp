@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "waywright/judge/judge.hpp"
@@ -12,6 +13,8 @@
 #include "waywright/planner/solve_words.hpp"
 #include "waywright/planner/waypoint/candidates.hpp"
 #include "waywright/planner/waypoint/describe.hpp"
+#include "waywright/planner/waypoint/waypoint_words.hpp"
+#include "waywright/study/front_folder.hpp"
 
 namespace waywright {
 namespace {
@@ -95,9 +98,19 @@ Parsed<Front> pareto(const Problem& problem, const ParetoOptions& options) {
   search.evaluations = scenario.budget.evaluations.value_or(names_evaluations ? waypoint.evaluations : options.evaluations);
   search.population = scenario.planner.parameters.contains("population") ? waypoint.population : options.population;
   search.seed = scenario.seed;
+  if (auto failure = blocked_waypoint(problem)) {
+    front.reason = std::move(failure->failure.reason);
+    return front;
+  }
+  std::vector<double> nearest;  // to feasible
+  double least = std::numeric_limits<double>::infinity();
   const std::vector<FrontPoint> found = search_front(
       [&](std::span<const double> x) {
         const WaypointCandidates::Figures f = candidates.figures_at(x);
+        if (f.violation < least) {
+          least = f.violation;
+          nearest.assign(x.begin(), x.end());
+        }
         return TradeOff{{f.length, -f.clearance, f.curvature}, f.violation};
       },
       candidates.space(), search, budget);
@@ -109,7 +122,7 @@ Parsed<Front> pareto(const Problem& problem, const ParetoOptions& options) {
     Plan plan = judge(problem, problem.whole_path(path_of(*chain)), options.cancel);
     if (budget.canceled()) break;
     if (plan.status != Status::solved) {
-      ++front.refused;
+      if (front.refused++ == 0) front.reason = fmt::format("the proof refused what the search found, first of it: {}", plan.reason);
       continue;
     }
     plan.planner = scenario.planner.name;
@@ -127,15 +140,26 @@ Parsed<Front> pareto(const Problem& problem, const ParetoOptions& options) {
     if (!is_beaten) best.push_back(std::move(plan));
   }
   front.plans = std::move(best);
+  if (!front.plans.empty()) {
+    front.reason.clear();
+  } else if (front.reason.empty()) {
+    const auto chain = std::isfinite(least) ? candidates.chain_at(nearest) : std::nullopt;
+    front.reason = found.empty() && chain ? failure_of(problem, candidates, *chain, front.evaluations, budget).failure.reason
+                   : found.empty()        ? failure_without_chain(front.evaluations, budget).failure.reason
+                                          : "the search was ended before the proof had looked at what it found";
+  }
   for (std::size_t i = 0; i < front.plans.size(); ++i) {
     Plan& plan = front.plans[i];
-    plan.explanation = {fmt::format("One of {} trade-offs between length, clearance and curvature, number {} by length; none of the others is better in all three.", front.plans.size(), i + 1),
+    plan.explanation = {front.plans.size() == 1 ? "The only trade-off between length, clearance and curvature that was found and proven."
+                                                : fmt::format("One of {} trade-offs between length, clearance and curvature, number {} by length; none of the others is better in all three.",
+                                                              front.plans.size(), i + 1),
                         proof_sentence(problem, plan)};
   }
   return front;
 }
 
 std::string front_text(const Front& front) {
+  if (front.plans.empty()) return fmt::format("  none: {}\n", front.reason);
   std::string text = "  no    length m   clearance m   curvature 1/m   Σ|Δκ| 1/m    time s\n";
   for (std::size_t i = 0; i < front.plans.size(); ++i) {
     const Plan& p = front.plans[i];
@@ -149,8 +173,8 @@ std::string front_csv(const Front& front) {
   std::string csv = "number,length,clearance,mean_clearance,max_curvature,max_curvature_rate,curvature_change,travel_time,plan\n";
   for (std::size_t i = 0; i < front.plans.size(); ++i) {
     const Plan& p = front.plans[i];
-    csv += fmt::format("{},{},{},{},{},{},{},{},{:02}/plan.json\n", i + 1, p.metrics.length, p.certificate.clearance, p.metrics.mean_clearance, p.metrics.max_curvature,
-                       p.metrics.max_curvature_rate, p.metrics.curvature_change, p.metrics.travel_time, i + 1);
+    csv += fmt::format("{},{},{},{},{},{},{},{},{}/plan.json\n", i + 1, p.metrics.length, p.certificate.clearance, p.metrics.mean_clearance, p.metrics.max_curvature,
+                       p.metrics.max_curvature_rate, p.metrics.curvature_change, p.metrics.travel_time, front_plan_folder(i));
   }
   return csv;
 }

@@ -23,6 +23,7 @@ struct Front {
   std::size_t found = 0;         ///< candidates on the search's own front
   std::size_t refused = 0;       ///< of those looked at, by the proof
   bool is_cut_short = false;
+  std::string reason;            ///< why there is no plan; empty where there is one
 };
 
 /// Has the scenario's planner candidates to trade? Only waypoint_clothoid has.

@@ -4,10 +4,8 @@
 #include <exception>
 #include <pagmo/algorithm.hpp>
 #include <pagmo/algorithms/nsga2.hpp>
-#include <pagmo/population.hpp>
-#include <pagmo/problem.hpp>
 
-#include "waywright/core/random.hpp"
+#include "waywright/optimizer/pagmo/search.hpp"
 
 namespace waywright {
 namespace {
@@ -15,8 +13,6 @@ namespace {
 constexpr double infeasible = 1e12;  // what each objective has in addition where a point is not feasible
 
 constexpr std::size_t most_kept = 4000;  // points of a front: enough for any picture, and comparing with all of them stays quick
-
-struct BudgetSpent : std::exception {};
 
 bool dominates(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   bool is_better = false;
@@ -73,23 +69,17 @@ std::vector<FrontPoint> search_front(const std::function<TradeOff(std::span<cons
   if (space.dimension() == 0) {
     if (options.evaluations > 0 && !budget.exhausted()) {
       const TradeOff only = cost({});
+      budget.count_evaluations();
       if (!(only.violation > 0.0)) recorder.keep({}, only.objectives);
     }
     return std::move(recorder.front);
   }
   const auto size = static_cast<unsigned>(4 * std::max(2, (options.population + 3) / 4));  // NSGA-II pairs them in fours
-  Random seeds = Random::stream(options.seed, 0);
-  const auto draw = [&seeds] { return static_cast<unsigned>(seeds.next() >> 33); };
+  PagmoSeeds seeds{options.seed};
   try {
-    pagmo::population population{pagmo::problem{Problem{&recorder, space.low, space.high}}, 0, draw()};
-    Random points = Random::stream(options.seed, 1);
-    for (unsigned i = 0; i < size; ++i) {
-      pagmo::vector_double x(space.dimension());
-      for (std::size_t k = 0; k < x.size(); ++k) x[k] = points.uniform(space.low[k], space.high[k]);
-      population.push_back(x);
-    }
+    pagmo::population population = first_population(Problem{&recorder, space.low, space.high}, space, options.seed, size, seeds);
     const auto generations = static_cast<unsigned>(std::min<std::int64_t>(options.evaluations / size + 2, 1'000'000));
-    pagmo::algorithm{pagmo::nsga2{generations, 0.95, 10.0, 0.1, 20.0, draw()}}.evolve(population);
+    pagmo::algorithm{pagmo::nsga2{generations, 0.95, 10.0, 0.1, 20.0, seeds.next()}}.evolve(population);
   } catch (const BudgetSpent&) {
     // The usual end.
   } catch (const std::exception&) {

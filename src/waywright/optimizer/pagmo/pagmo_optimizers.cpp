@@ -10,17 +10,12 @@
 #include <pagmo/algorithms/gaco.hpp>
 #include <pagmo/algorithms/pso.hpp>
 #include <pagmo/algorithms/simulated_annealing.hpp>
-#include <pagmo/population.hpp>
-#include <pagmo/problem.hpp>
 
-#include "waywright/core/random.hpp"
 #include "waywright/optimizer/pagmo/genetic.hpp"
+#include "waywright/optimizer/pagmo/search.hpp"
 
 namespace waywright {
 namespace {
-
-/// Leaves pagmo's loops when the work is done; caught right outside them.
-struct BudgetSpent : std::exception {};
 
 /// What an evaluation leaves behind. Shared by pagmo's copies of the problem.
 struct Recorder {
@@ -70,19 +65,11 @@ class PagmoOptimizer final : public Optimizer {
     Recorder recorder{cost, options.evaluations, budget};
     const int wanted = fixed_population_ > 0 ? fixed_population_ : std::max(options.population, least_population_);
     const auto size = static_cast<unsigned>(std::clamp<std::int64_t>(wanted, 1, options.evaluations));
-    Random seeds = Random::stream(options.seed, 0);
-    const auto draw = [&seeds] { return static_cast<unsigned>(seeds.next() >> 33); };
+    PagmoSeeds seeds{options.seed};
     try {
-      // Drawn here and not by pagmo, so that all algorithms start from the same points for the same seed.
-      pagmo::population population{pagmo::problem{Problem{&recorder, space.low, space.high}}, 0, draw()};
-      Random points = Random::stream(options.seed, 1);
-      for (unsigned i = 0; i < size; ++i) {
-        pagmo::vector_double x(space.dimension());
-        for (std::size_t k = 0; k < x.size(); ++k) x[k] = points.uniform(space.low[k], space.high[k]);
-        population.push_back(x);
-      }
+      pagmo::population population = first_population(Problem{&recorder, space.low, space.high}, space, options.seed, size, seeds);
       const auto left = static_cast<unsigned>(std::min<std::int64_t>(options.evaluations - size, 1'000'000'000));
-      if (left > 0) make_({left / size + 2, size, static_cast<unsigned>(space.dimension()), draw(), space.periodic}).evolve(population);
+      if (left > 0) make_({left / size + 2, size, static_cast<unsigned>(space.dimension()), seeds.next(), space.periodic}).evolve(population);
     } catch (const BudgetSpent&) {
       // The usual end: the last generation is cut where the budget is.
     } catch (const std::exception&) {

@@ -59,8 +59,10 @@ PlanningResult PatternDockingPlanner::plan(const PreparedDocking& prepared, Budg
   }
   PlanningFailure& both = second.error();
   failure.failure.status = both.failure.status;
-  failure.failure.reason += fmt::format("; the second choice {} found none either", fallback_->name());
-  failure.explanation.insert(failure.explanation.end(), both.explanation.begin(), both.explanation.end());
+  failure.failure.reason += fmt::format("; the second choice {} found none either: {}", fallback_->name(), both.failure.reason);
+  for (std::string& sentence : both.explanation) {
+    if (sentence != both.failure.reason + ".") failure.explanation.push_back(std::move(sentence));  // the reason is told once
+  }
   failure.failure.pose = both.failure.pose;
   if (both.failure.point) failure.failure.point = both.failure.point;
   failure.alternatives.insert(failure.alternatives.end(), both.alternatives.begin(), both.alternatives.end());

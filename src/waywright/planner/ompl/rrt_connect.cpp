@@ -10,6 +10,7 @@
 
 #include "waywright/planner/ompl/shortcut.hpp"
 #include "waywright/planner/ompl/tree_search.hpp"
+#include "waywright/scenario/parameter_values.hpp"
 
 namespace waywright {
 namespace {
@@ -265,14 +266,14 @@ PlannerDescription rrt_connect_description() {
       },
       [](const Parameters& p, std::uint64_t seed) -> AnyPlanner {
         RrtConnectOptions options;
-        options.radius_factor = std::get<double>(p.at("radius_factor"));
-        options.radius_without_limit = std::get<double>(p.at("radius_without_limit"));
-        options.range = std::get<double>(p.at("range"));
-        options.resolution = std::get<double>(p.at("resolution"));
-        options.checks = static_cast<std::int64_t>(std::get<double>(p.at("checks")));
-        options.goal_straight = std::get<double>(p.at("goal_straight"));
-        options.simplify = std::get<bool>(p.at("simplify"));
-        options.shortcuts = static_cast<int>(std::get<double>(p.at("shortcuts")));
+        options.radius_factor = number_of(p, "radius_factor");
+        options.radius_without_limit = number_of(p, "radius_without_limit");
+        options.range = number_of(p, "range");
+        options.resolution = number_of(p, "resolution");
+        options.checks = whole_number_of(p, "checks");
+        options.goal_straight = number_of(p, "goal_straight");
+        options.simplify = flag_of(p, "simplify");
+        options.shortcuts = static_cast<int>(number_of(p, "shortcuts"));
         return RrtConnectPlanner{options, seed};
       },
       [](const Parameters&) { return true; }};

@@ -1,11 +1,9 @@
 #include "waywright/planner/waypoint/describe.hpp"
 
+#include "waywright/scenario/parameter_values.hpp"
+
 namespace waywright {
 namespace {
-
-double number(const Parameters& p, const char* name) { return std::get<double>(p.at(name)); }
-const std::string& word(const Parameters& p, const char* name) { return std::get<std::string>(p.at(name)); }
-std::int64_t whole(const Parameters& p, const char* name) { return static_cast<std::int64_t>(number(p, name)); }
 
 WaypointObjective waypoint_objective(const std::string& name) {
   for (const WaypointObjective o : waypoint_objectives) {
@@ -18,19 +16,19 @@ WaypointObjective waypoint_objective(const std::string& name) {
 
 WaypointOptions waypoint_options(const Parameters& p) {
   WaypointOptions options;
-  options.objective = waypoint_objective(word(p, "objective"));
-  options.form = word(p, "form") == "published" ? FitnessForm::published : FitnessForm::corrected;
-  options.continuity = word(p, "chain") == "g1" ? Continuity::g1 : Continuity::g2;
-  options.evaluations = whole(p, "evaluations");
-  options.population = static_cast<int>(number(p, "population"));
-  options.heading_range = number(p, "heading_range");
-  options.bend_range = number(p, "bend_range");
-  options.samples = static_cast<int>(number(p, "samples"));
-  options.margin = number(p, "margin");
-  options.wanted_clearance = number(p, "wanted_clearance");
-  options.clearance_weight = number(p, "clearance_weight");
-  options.bend_weight = number(p, "bend_weight");
-  options.step = number(p, "step");
+  options.objective = waypoint_objective(word_of(p, "objective"));
+  options.form = word_of(p, "form") == "published" ? FitnessForm::published : FitnessForm::corrected;
+  options.continuity = word_of(p, "chain") == "g1" ? Continuity::g1 : Continuity::g2;
+  options.evaluations = whole_number_of(p, "evaluations");
+  options.population = static_cast<int>(number_of(p, "population"));
+  options.heading_range = number_of(p, "heading_range");
+  options.bend_range = number_of(p, "bend_range");
+  options.samples = static_cast<int>(number_of(p, "samples"));
+  options.margin = number_of(p, "margin");
+  options.wanted_clearance = number_of(p, "wanted_clearance");
+  options.clearance_weight = number_of(p, "clearance_weight");
+  options.bend_weight = number_of(p, "bend_weight");
+  options.step = number_of(p, "step");
   return options;
 }
 
@@ -60,7 +58,7 @@ PlannerDescription waypoint_clothoid_description(std::vector<std::string> optimi
           {.name = "step", .default_value = 0.1, .summary = "distance of the poses that metres looks at", .unit = "m", .low = 0.001, .high = 10},
       },
       [make = std::move(make)](const Parameters& p, std::uint64_t seed) -> AnyPlanner {
-        return WaypointClothoidPlanner{waypoint_options(p), make(word(p, "optimizer")), make("de"), seed};
+        return WaypointClothoidPlanner{waypoint_options(p), make(word_of(p, "optimizer")), make("de"), seed};
       }};
   description.passes_waypoints = true;
   return description;

@@ -1,0 +1,47 @@
+// What the documents show as input is read as they say.
+#include "tests/command_line.hpp"
+
+namespace {
+
+using namespace waywright::test;
+
+/// The fenced block after a marker in docs/formats.md.
+std::string block_after(const std::string& marker) {
+  const std::string text = slurp(WAYWRIGHT_SOURCE_DIR "/docs/formats.md");
+  const std::size_t at = text.find("<!-- " + marker + " -->");
+  if (at == std::string::npos) return {};
+  const std::size_t begin = text.find('\n', text.find("```", at)) + 1;
+  return text.substr(begin, text.find("```", begin) - begin);
+}
+
+TEST_F(CommandLine, TheDocumentsMapIsRead) {
+  const std::string map = block_after("loaded");
+  ASSERT_FALSE(map.empty());
+  std::ofstream{folder_ / "map.json"} << map;
+  const Outcome o = run("map map.json");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_NE(o.out.find("cells: 4 × 3 of 0.5 m, origin (6, 6, 0 rad); 9 free"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("2 occupied, 1 unknown"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("1 boundary, 2 obstacle polygons (2.50 m²), 1 line, 2 points"), std::string::npos) << o.out;
+  // And a scenario may name it.
+  const Json s = {{"format", "waywright-scenario/1"},
+                  {"map", {{"polygons", "map.json"}}},
+                  {"vehicle", {{"footprint", {{"disc", 0.3}}}, {"drive", {{"type", "differential"}, {"track", 0.4}}}}},
+                  {"start", {2, 8, 0}},
+                  {"goal", {10, 8, 0}},
+                  {"planner", {{"name", "ompl_rrt_connect"}}}};
+  const Outcome planned = run("plan " + write(s) + " -o o");
+  EXPECT_EQ(planned.status, 0) << planned.out << planned.err;
+}
+
+TEST_F(CommandLine, TheDocumentsTableOfStationsIsRead) {
+  const std::string table = block_after("checked");
+  ASSERT_FALSE(table.empty());
+  std::ofstream{folder_ / "s.csv"} << table;
+  const Outcome o = run("check s.csv --map " + example("warehouse.yaml") + " --vehicle " + example("vehicles/forklift.json") + " -o c");
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
+  EXPECT_NE(o.out.find("2 places: 2 solved and proven"), std::string::npos) << o.out;
+  EXPECT_EQ(o.err, "");
+}
+
+}  // namespace
