@@ -92,8 +92,25 @@ TEST(Allocation, JudgingADockingPathTakesNoMemory) {
 DockingPlan counted_plan(const Docking& docking) {
   auto session = DockingSession::on(docking);
   const std::int64_t before = allocations;
-  const DockingPlan& plan = session->plan();
-  EXPECT_EQ(allocations - before, 0) << plan.evaluations << " evaluations, " << plan.samples.size() << " samples";
+  const DockingPlan plan = [&] {
+    const DockingPlan& made = session->plan();
+    EXPECT_EQ(allocations - before, 0) << made.evaluations << " evaluations, " << made.samples.size() << " samples";
+    return made;
+  }();
+  // With a flag, the best so far is proven while the search goes on: the answer is the same.
+  std::atomic<bool> cancel{false};
+  const std::int64_t then = allocations;
+  const DockingPlan& watched = session->plan({}, &cancel);
+  EXPECT_EQ(allocations - then, 0) << "with a flag";
+  EXPECT_EQ(watched.status, plan.status);
+  EXPECT_EQ(watched.evaluations, plan.evaluations);
+  EXPECT_EQ(watched.cost, plan.cost);
+  EXPECT_EQ(watched.certificate.clearance, plan.certificate.clearance);
+  EXPECT_EQ(watched.samples.size(), plan.samples.size());
+  for (std::size_t i = 0; i < std::min(watched.samples.size(), plan.samples.size()); ++i) {
+    EXPECT_EQ(watched.samples[i].pose(), plan.samples[i].pose());
+    EXPECT_EQ(watched.samples[i].t, plan.samples[i].t);
+  }
   return plan;
 }
 

@@ -9,6 +9,7 @@
 #include "waywright/docking/docking.h"
 #include "waywright/judge/judge.hpp"
 #include "waywright/planner/docking/fixture_stations.hpp"
+#include "waywright/proof/proof.hpp"
 
 namespace waywright {
 namespace {
@@ -93,6 +94,8 @@ TEST(Docking, ARaisedFlagGivesTheBestSoFar) {
   const DockingPlan plan = docking->plan({}, &cancel);
   other.join();
   EXPECT_EQ(plan.status, Status::solved) << "what was found by then is proven";
+  EXPECT_TRUE(prove(docking->problem(), plan.path).holds());
+  EXPECT_LT(distance(plan.samples.back().pose().position(), end_pose(plan.path).position()), 1e-9);
   EXPECT_FALSE(plan.reproducible);
   EXPECT_LT(plan.evaluations, endless.evaluations);
   BudgetLimits soon;

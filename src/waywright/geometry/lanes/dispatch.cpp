@@ -1,5 +1,4 @@
-#include <array>
-
+#include "waywright/core/instruction_sets.hpp"
 #include "waywright/geometry/lanes/kernels.hpp"
 
 namespace waywright::segment_lanes {
@@ -12,26 +11,18 @@ extern const Kernels avx512_kernels;
 
 namespace {
 
-struct Runnable {
-  std::array<Kernels, 3> kernels{};
-  std::size_t count = 0;
-  Runnable() {
-    kernels[count++] = baseline_kernels;
+const RunnableKernels<Kernels>& runnable() {
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2")) kernels[count++] = avx2_kernels;
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) kernels[count++] = avx512_kernels;
+  static const RunnableKernels<Kernels> kernels{baseline_kernels, avx2_kernels, avx512_kernels};
+#else
+  static const RunnableKernels<Kernels> kernels{baseline_kernels};
 #endif
-  }
-};
-
-const Runnable& runnable() {
-  static const Runnable all;
-  return all;
+  return kernels;
 }
 
 }  // namespace
 
-std::span<const Kernels> available() { return {runnable().kernels.data(), runnable().count}; }
-const Kernels& best() { return runnable().kernels[runnable().count - 1]; }
+std::span<const Kernels> available() { return runnable().all(); }
+const Kernels& best() { return runnable().best(); }
 
 }  // namespace waywright::segment_lanes

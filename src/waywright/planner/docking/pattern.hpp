@@ -29,6 +29,7 @@ struct PatternPoints {
 struct Placement {
   Vec2 position{};
   Vec2 heading{1.0, 0.0};
+  friend bool operator==(const Placement&, const Placement&) = default;
 };
 inline Placement placement_of(const Pose& pose) { return {pose.position(), unit(pose.heading)}; }
 

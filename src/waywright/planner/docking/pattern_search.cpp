@@ -16,6 +16,7 @@ constexpr double published_curvature = 0.8;
 
 constexpr std::array shares_of_work{0.3, 0.5, 0.75, 1.0};  // of the evaluations of a side: after each of them sides are compared
 constexpr double by_far = 1.1;              // a side that costs more than this times the other one's best is given up
+constexpr int steady = 128;                 // evaluations for which the best one stands before it is told of
 constexpr double infeasible_costs = 100.0;  // graded costs from here on stand for what is not feasible
 
 }  // namespace
@@ -28,7 +29,9 @@ class PatternSearch::OneSide {
       : prepared_{prepared}, zone_{zone}, options_{options}, optimizer_{optimizer}, evaluator_{evaluator}, reference_{reference},
         space_{search_space(zone, options.heading_range)}, dock_{placement_of(prepared.problem().goal())},
         cost_{[this](std::span<const double> x, double enough) {
-          return evaluation_of(evaluator_, pattern_at(x), enough, [this](const PathMeasures& m) { return objective_value(options_, m, reference_); });
+          const Evaluation e = evaluation_of(evaluator_, pattern_at(x), enough, [this](const PathMeasures& m) { return objective_value(options_, m, reference_); });
+          if (watched_) watch(x, e);
+          return e;
         }} {
     search_.population = options.population;
     search_.evaluations = options.evaluations * harder_times;
@@ -37,7 +40,10 @@ class PatternSearch::OneSide {
   OneSide(const OneSide&) = delete;
   OneSide& operator=(const OneSide&) = delete;
 
-  void start_over(const PatternStart& start, std::int64_t evaluations, std::uint64_t seed) {
+  /// `told`: each time that this side's best stands for a while. It may be empty.
+  void start_over(const PatternStart& start, std::int64_t evaluations, std::uint64_t seed, std::function<void(const OneSide&)> told) {
+    watched_ = std::move(told);
+    best_ = infeasible_costs;
     start_ = start;
     search_.evaluations = evaluations;
     search_.seed = seed;
@@ -65,15 +71,32 @@ class PatternSearch::OneSide {
     found.wanted = true;
     found.evaluations = result.evaluations;
     found.searched = !result.best.empty();
-    if (!found.searched) return;
-    found.transition = transition_placement(prepared_.task(), zone_, result.best);
-    found.pattern = pattern_at(result.best);
-    found.score = evaluator_.evaluate(found.pattern);
-    found.feasible = found.score.feasible();
-    found.cost = result.cost;
+    if (found.searched) tell(result.best, result.cost, found);
+  }
+  double best_so_far() const { return best_; }
+  void tell_so_far(SideFound& found) const {
+    found.wanted = found.searched = true;
+    tell(std::span{best_at_}.first(space_.dimension()), best_, found);
   }
 
  private:
+  void tell(std::span<const double> x, double cost, SideFound& found) const {
+    found.transition = transition_placement(prepared_.task(), zone_, x);
+    found.pattern = pattern_at(x);
+    found.score = evaluator_.evaluate(found.pattern);
+    found.feasible = found.score.feasible();
+    found.cost = cost;
+  }
+  void watch(std::span<const double> x, const Evaluation& e) {
+    if (e.graded < best_) {
+      best_ = e.graded;
+      std::copy(x.begin(), x.end(), best_at_.begin());
+      stood_ = 0;
+    } else if (best_ < infeasible_costs && ++stood_ == steady) {
+      watched_(*this);
+    }
+  }
+
   DockingPattern pattern_at(std::span<const double> x) const {
     return docking_pattern(start_, dock_, transition_placement(prepared_.task(), zone_, x), options_.leads);
   }
@@ -91,6 +114,10 @@ class PatternSearch::OneSide {
   CostFunction cost_;
   std::unique_ptr<ResumableSearch> resumable_;
   SearchResult plain_;
+  std::function<void(const OneSide&)> watched_;
+  double best_ = infeasible_costs;  // so far, while watched
+  std::array<double, 3> best_at_{};
+  int stood_ = 0;                   // evaluations
 };
 
 PatternSearch::PatternSearch(const PreparedDocking& prepared, const PatternDockingOptions& options, const Optimizer& optimizer)
@@ -109,10 +136,22 @@ std::vector<SideFound>& PatternSearch::search(const PatternEntry& entry, std::in
   const std::vector<Zone>& zones = prepared_.task().zones;
   evaluator_.enter_with(entry.speed);
   SideShares shares{zones, options_.sides, evaluations, budget, second_choice};
+  watched_ = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     if (!sides_[i]) continue;
     OneSide& side = *sides_[i];
-    side.start_over(entry.start, shares.next(), seed + (zones[i].side == Side::left ? 0 : 1));
+    std::function<void(const OneSide&)> told;
+    if (watch_) {
+      told = [this, i](const OneSide& of) {
+        if (!(of.best_so_far() < watched_)) return;
+        SideFound found;
+        of.tell_so_far(found);
+        if (!found.feasible) return;
+        watched_ = found.cost;
+        watch_(i, found);
+      };
+    }
+    side.start_over(entry.start, shares.next(), seed + (zones[i].side == Side::left ? 0 : 1), std::move(told));
   }
   return compare_sides(budget);
 }

@@ -2,6 +2,7 @@
 // elsewhere (pattern_words.hpp), where somebody wants some.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -38,6 +39,11 @@ class PatternSearch {
   PatternSearch(const PreparedDocking& prepared, const PatternDockingOptions& options, const Optimizer& optimizer);
   ~PatternSearch();
 
+  /// Told of the best candidate of all so far, feasible, once it has stood for a while: what comes of it can be made ready for an end at any time.
+  /// The side's index, and what it came to.
+  using Watch = std::function<void(std::size_t, const SideFound&)>;
+  void watch(Watch watch) { watch_ = std::move(watch); }  ///< empty: nobody does
+
   /// What came of each side, in the order of the task's zones. `evaluations` a side, or what the budget allows for all of them, of which a
   /// part is kept where there is a second choice. Both sides get a first share of the work; then a side that is worse by far than the
   /// other one is given up.
@@ -53,6 +59,8 @@ class PatternSearch {
   CandidateEvaluator evaluator_;
   std::vector<std::unique_ptr<OneSide>> sides_;  ///< nullptr: a side that is not searched
   std::vector<SideFound> found_;
+  Watch watch_;
+  double watched_ = 0.0;  ///< least cost that was told of
 };
 
 /// Best feasible one that the proof has not refused, or nullptr; equal costs: the left side.

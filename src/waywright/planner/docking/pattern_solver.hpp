@@ -36,7 +36,18 @@ class PatternSolver {
   std::vector<Sample>& samples();                       ///< its samples, without t and speed
 
  private:
-  SideFound* best_standing(std::vector<SideFound>& sides);
+  /// What is ready to be offered.
+  struct Offer {
+    std::size_t side = 0;
+    SideFound found;
+    Path path;
+    Proof proof;
+    std::vector<Sample> samples;
+  };
+  /// Where a run may be ended at any time, the best so far is proven and sampled while the search goes on.
+  void prove_ahead(Budget& budget);
+  bool take_ahead(std::size_t side, SideFound& best, bool is_cut_short);
+  SideFound* best_standing(std::vector<SideFound>& sides, const Budget& budget);
 
   const PreparedDocking& prepared_;
   PatternDockingOptions options_;  ///< those of both searches
@@ -53,6 +64,8 @@ class PatternSolver {
   Proof proof_;
   std::vector<Sample> samples_;
   bool is_sampled_ = false;
+  Offer ahead_, next_;
+  bool has_ahead_ = false;
 };
 
 /// The path that a planner offers for a side: back, then forth.
