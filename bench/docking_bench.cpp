@@ -160,7 +160,7 @@ void proof_sampling_ours(benchmark::State& state, Clutter clutter) {
   for (const Sample& at : sample(docking_path(s), 0.0, 1.0, 0.05)) poses.push_back(at.pose());
   for (auto _ : state) {
     double least = 1e9;
-    for (const Pose& pose : poses) least = std::min(least, s.problem.world().clearance(s.problem.vehicle().footprint, pose, least).clearance);
+    for (const Pose& pose : poses) least = std::min(least, s.problem.world().least_clearance(s.problem.vehicle().footprint, pose, least));
     benchmark::DoNotOptimize(least);
   }
 }

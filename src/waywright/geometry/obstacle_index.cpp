@@ -55,7 +55,8 @@ bool is_rectangle(const segment_lanes::Edge* edge, double extent) {
   const auto are_opposite = [by](double a, double b) { return std::abs(a + b) <= by; };
   const double sides = std::abs(e.along_x) + std::abs(e.along_y) + std::abs(f.along_x) + std::abs(f.along_y);
   return are_opposite(e.along_x, g.along_x) && are_opposite(e.along_y, g.along_y) && are_opposite(f.along_x, h.along_x) &&
-         are_opposite(f.along_y, h.along_y) && std::abs(e.along_x * f.along_x + e.along_y * f.along_y) <= by * sides;
+         are_opposite(f.along_y, h.along_y) && std::abs(e.along_x * f.along_x + e.along_y * f.along_y) <= by * sides && std::abs(e.along_x) + std::abs(e.along_y) > by &&
+         std::abs(f.along_x) + std::abs(f.along_y) > by;
 }
 
 /// Where a segment is nearest to a ring's area.
@@ -103,10 +104,14 @@ void make_ready(std::span<const Vec2> ring, segment_lanes::Outline& outline) {
     const double squared = squared_norm(d);
     outline.ready[i] = {ring[i].x, ring[i].y, d.x, d.y, squared > 0.0 ? 1.0 / squared : 0.0};
   }
-  outline.shape = corners < 3 ? Shape::any : Shape::convex;
-  for (std::size_t i = 0; i < edges && outline.shape == Shape::convex; ++i) {
-    if (!(cross(along(i), along(i + 1 < corners ? i + 1 : 0)) >= 0.0)) outline.shape = Shape::any;
+  // A ring without area has no inside.
+  bool turns_left = false, turns_right = corners < 3;
+  for (std::size_t i = 0; i < edges && !turns_right; ++i) {
+    const double turn = cross(along(i), along(i + 1 < corners ? i + 1 : 0));
+    turns_left = turns_left || turn > 0.0;
+    turns_right = !(turn >= 0.0);
   }
+  outline.shape = turns_left && !turns_right ? Shape::convex : Shape::any;
   if (corners != 4 || outline.shape != Shape::convex) return;
   const double extent = std::max(std::max(std::abs(outline.low_x), std::abs(outline.high_x)), std::max(std::abs(outline.low_y), std::abs(outline.high_y)));
   if (is_rectangle(outline.ready, extent)) outline.shape = Shape::rectangle;

@@ -134,6 +134,15 @@ TEST(ObstacleIndex, FindsWhatBruteForceFinds) {
   EXPECT_GT(misses, 300);
 }
 
+/// A rectangle of no width is a segment.
+TEST(ObstacleIndex, IsExactForRingsWithoutArea) {
+  const ObstacleIndex index{{{{0.5, 1}, {0.5, 2}, 0}, {{-3, 0}, {-3, 0}, 1}}};
+  EXPECT_NEAR(index.distance(Ring{{0, 0}, {0, 0}, {1, 0}, {1, 0}}, 9.0), 1.0, 1e-15);
+  EXPECT_NEAR(index.distance(Ring{{0, 0}, {1, 0}, {1, 0}, {0, 0}}, 9.0), 1.0, 1e-15);
+  EXPECT_NEAR(index.distance(Ring{{0, 0}, {0, 0}, {0, 0}, {0, 0}}, 9.0), std::sqrt(1.25), 1e-15);
+  EXPECT_EQ(index.distance(Ring{{0, 1.5}, {1, 1.5}, {1, 1.5}, {0, 1.5}}, 9.0), 0.0);
+}
+
 TEST(ObstacleIndex, VisitsAllThatIsNear) {
   Random random{4};
   const auto segments = random_segments(random, 300, 100, 100);

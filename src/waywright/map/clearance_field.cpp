@@ -13,14 +13,12 @@ constexpr double half_diagonal = 0.70711;
 /// A little less, so that rounding to single precision and of the index never makes it too much.
 float rounded_down(double value) { return static_cast<float>(std::max(0.0, value - 4e-7 * value - 1e-6)); }
 
-double squared_distance(Vec2 p, const Segment& s) {
-  const Vec2 d = s.b - s.a;
-  const double length2 = squared_norm(d);
-  const double t = length2 > 0.0 ? std::clamp(dot(p - s.a, d) / length2, 0.0, 1.0) : 0.0;
-  return squared_norm(p - (s.a + t * d));
-}
-
 }  // namespace
+
+double ClearanceField::Near::squared_distance(Vec2 p) const {
+  const Vec2 to = p - a;
+  return squared_norm(to - std::clamp(dot(to, along) * inverse, 0.0, 1.0) * along);
+}
 
 struct ClearanceField::Block {
   int column, row, last_column, last_row;
@@ -60,9 +58,9 @@ ClearanceField::Block ClearanceField::block_at(int column, int row, int side) co
 void ClearanceField::fill(const World& world, int column, int row, const Options& options) {
   const Block block = block_at(column, row, large_side);
   const double limit = options.cap + block.radius + cell_;
-  const Nearest nearest = world.index().nearest({&block.middle, 1}, limit);
-  const bool blocked = nearest.distance > block.radius && world.is_blocked(block.middle);
-  if (blocked || !nearest.found) {
+  const double nearest = world.index().distance({&block.middle, 1}, limit);
+  const bool blocked = nearest > block.radius && world.is_blocked(block.middle);
+  if (blocked || nearest >= limit) {
     for (int r = row; r < block.last_row; ++r) {
       std::fill(&value(column, r), &value(block.last_column - 1, r) + 1, blocked ? 0.0F : rounded_down(options.cap));
     }
@@ -70,7 +68,7 @@ void ClearanceField::fill(const World& world, int column, int row, const Options
   }
   for (int r = row; r < block.last_row; r += small_side) {
     for (int c = column; c < block.last_column; c += small_side) {
-      fill_block(world, c, r, nearest.distance + 1.01 * block.radius, options);
+      fill_block(world, c, r, nearest + 1.01 * block.radius, options);
     }
   }
 }
@@ -78,14 +76,21 @@ void ClearanceField::fill(const World& world, int column, int row, const Options
 /// A small block; its middle is within `limit` of something.
 void ClearanceField::fill_block(const World& world, int column, int row, double limit, const Options& options) {
   const Block block = block_at(column, row, small_side);
-  const Nearest nearest = world.index().nearest({&block.middle, 1}, limit);
+  const double nearest = world.index().distance({&block.middle, 1}, limit);
   // Where nothing crosses the block, all of it is inside or outside.
-  const bool uniform = nearest.distance > block.radius;
+  const bool uniform = nearest > block.radius;
   const bool blocked = uniform && world.is_blocked(block.middle);
-  const bool sharp = !blocked && nearest.distance - block.radius <= options.sharp + cell_;
+  const bool sharp = !blocked && nearest - block.radius <= options.sharp + cell_;
   near_.clear();
   // The nearest segment of any point of the block is within the middle's distance and twice the radius of the middle.
-  if (sharp) world.index().visit(block.middle, nearest.distance + 2.0 * block.radius, [&](const Segment& s) { near_.push_back(&s); });
+  if (sharp) {
+    const double reach = nearest + 2.0 * block.radius;
+    world.index().visit(block.middle, reach, [&](const Segment& s) {
+      const double length2 = squared_norm(s.b - s.a);
+      const Near near{s.a, s.b - s.a, length2 > 0.0 ? 1.0 / length2 : 0.0};
+      if (near.squared_distance(block.middle) <= reach * reach) near_.push_back(near);
+    });
+  }
   const double cell_radius = half_diagonal * cell_;
   for (int r = row; r < block.last_row; ++r) {
     for (int c = column; c < block.last_column; ++c) {
@@ -94,10 +99,10 @@ void ClearanceField::fill_block(const World& world, int column, int row, double 
         value(c, r) = 0.0F;
         continue;
       }
-      double distance = nearest.distance - waywright::distance(at, block.middle);
+      double distance = nearest - waywright::distance(at, block.middle);
       if (sharp) {
         double squared = (options.cap + cell_) * (options.cap + cell_);
-        for (const Segment* s : near_) squared = std::min(squared, squared_distance(at, *s));
+        for (const Near& s : near_) squared = std::min(squared, s.squared_distance(at));
         distance = std::sqrt(squared);
       }
       value(c, r) = rounded_down(std::min(distance - cell_radius, options.cap));

@@ -43,7 +43,13 @@ class ClearanceField {
   float& value(int column, int row) { return values_[index(column, row)]; }
   std::size_t index(int column, int row) const { return (static_cast<std::size_t>(row) << row_shift_) + static_cast<std::size_t>(column); }
 
-  std::vector<const Segment*> near_;  ///< while filling
+  /// A segment, ready for many points.
+  struct Near {
+    Vec2 a, along;
+    double inverse;  // 1/m²; 0 of a point
+    double squared_distance(Vec2 p) const;
+  };
+  std::vector<Near> near_;  ///< while filling
 
   Vec2 origin_{};
   double cell_ = 0.0;

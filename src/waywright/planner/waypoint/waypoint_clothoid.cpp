@@ -14,17 +14,22 @@ namespace waywright {
 namespace {
 
 constexpr std::size_t most_kept = 16;  // of the best candidates, for the proof
+constexpr double apart = 0.01;         // of a cost: those nearer to one another are likely to be refused together
 
 struct Candidate {
   std::vector<double> x;
   Evaluation evaluation;
 };
 
-/// The best candidates seen, best last.
+/// The best candidates seen, best last: the best one, and of those before it some that cost ever more.
 class Best {
  public:
   void look(std::span<const double> x, const Evaluation& evaluation) {
     if (!kept_.empty() && !(evaluation.graded < kept_.back().evaluation.graded)) return;
+    if (const std::size_t n = kept_.size(); n >= 2) {
+      const double last = kept_[n - 1].evaluation.graded, before = kept_[n - 2].evaluation.graded;
+      if (before - last < apart * std::abs(last)) kept_.pop_back();
+    }
     if (kept_.size() == most_kept) kept_.erase(kept_.begin());
     kept_.push_back({{x.begin(), x.end()}, evaluation});
   }
