@@ -13,8 +13,8 @@
 namespace waywright {
 namespace {
 
-constexpr std::size_t most_kept = 16;  // of the best candidates, for the proof
-constexpr double apart = 0.01;         // of a cost: those nearer to one another are likely to be refused together
+constexpr std::size_t most_kept = 64;  // of the best candidates, for the proof
+constexpr double apart = 1e-3;         // of a cost: those nearer to one another are likely to be refused together
 
 struct Candidate {
   std::vector<double> x;
@@ -88,22 +88,25 @@ PlanningResult WaypointClothoidPlanner::plan(const Problem& problem, Budget& bud
     return tl::unexpected{failure_without_chain(looked, budget)};
   }
 
-  // What the samples of the search did not see, the proof does.
+  // What the samples of the search did not see, the proof does. Where it confirms no candidate's margin, the one with most clearance is taken.
   std::size_t chosen = kept.size() - 1;
-  std::size_t refused = 0;
   if (options_.objective == WaypointObjective::metres || options_.objective == WaypointObjective::pwavg_margin) {
+    const double wanted = problem.required_clearance() + (options_.objective == WaypointObjective::pwavg_margin ? options_.margin : 0.0);
     ProofWorkspace proving{problem};
     ProofOptions proof;
     proof.cancel = budget.cancel_flag();
-    for (std::size_t i = kept.size(); i-- > 0 && !(kept[i].evaluation.violation > 0.0);) {
+    double most = -1.0;
+    for (std::size_t i = kept.size(); i-- > 0 && most < wanted && !(kept[i].evaluation.violation > 0.0);) {
       const auto chain = candidates.chain_at(kept[i].x);
-      if (chain && prove(problem, problem.whole_path(path_of(*chain)), proof, proving).holds()) {
-        chosen = i;
-        refused = kept.size() - 1 - i;
-        break;
-      }
+      if (!chain) continue;
+      const Proof proven = prove(problem, problem.whole_path(path_of(*chain)), proof, proving);
+      const double clearance = proven.certificate.clearance + proven.certificate.tolerance;  // it may be so much
+      if (!proven.holds() || clearance <= most) continue;
+      most = clearance;
+      chosen = i;
     }
   }
+  const std::size_t refused = kept.size() - 1 - chosen;
 
   const Candidate& answer = kept[chosen];
   const Clothoids chain = *candidates.chain_at(answer.x);
@@ -116,7 +119,13 @@ PlanningResult WaypointClothoidPlanner::plan(const Problem& problem, Budget& bud
   const std::size_t waypoints = problem.scenario().waypoints.size();
   planned.explanation.push_back(courses_sentence(problem, options_.objective, answer.x, answer.evaluation, of_middle, looked));
   if (is_too_wide) planned.explanation.push_back(fmt::format("lattice_search takes at most {} variables; with {} differential evolution searched in its place.", LatticeSearch::most_variables, space.dimension()));
-  if (refused > 0) planned.explanation.push_back(fmt::format("{} cost less, and the proof refused {}.", counted(static_cast<std::int64_t>(refused), "candidate"), refused == 1 ? "it" : "them"));
+  if (refused > 0) {
+    const std::string those = counted(static_cast<std::int64_t>(refused), "candidate");
+    const char* them = refused == 1 ? "it" : "them";
+    planned.explanation.push_back(options_.objective == WaypointObjective::pwavg_margin
+                                      ? fmt::format("{} cost less, and the proof does not confirm the margin of {:.4g} m for {}.", those, options_.margin, them)
+                                      : fmt::format("{} cost less, and the proof refused {}.", those, them));
+  }
   planned.explanation.push_back(limits_sentence(problem, chain, options_.continuity));
   planned.explanation.push_back(measures_sentence(candidates.measures_of(chain, FitnessForm::published, false)));
   planned.alternatives.push_back({"courses chosen", true, answer.evaluation.objective, limits_sentence(problem, chain, options_.continuity), picture_of(chain), {}});
