@@ -36,7 +36,8 @@ struct Kernels {
   Moments (*moments)(double a, double delta, double phi0, int panels);
   /// Newton's method on each; those that it does not lead to a root within |a| ≤ widest are not solved.
   void (*fit)(Fits&, double widest, double least_share);
-  /// By 4, 6, 8 or 16 points. @pre phases under 10⁵ rad
+  /// By 6, 8 or 16 points; 0: by a series, for h that turn by no more than 0.18 and change their turning by no more than 0.008 rad.
+  /// @pre phases under 10⁵ rad
   void (*steps)(double heading, double curvature, double rate, double s0, double h, int points, Steps&);
 };
 

@@ -124,6 +124,21 @@ void fit(Fits& fits, double widest, double least_share) {
   }
 }
 
+/// From the middle of each step, where the course is θ: with B = κh/2 and c = κ′h²/8 the way is h R(θ) ½∫ (cos, sin)(Bx + cx²) dx over [−1, 1],
+/// the integrals by their series in B and c.
+inline void add_steps_by_series(double heading, double curvature, double rate, Doubles begin, double h, Steps& out) {
+  const Doubles s = begin + 0.5 * h;
+  const Doubles b = (0.5 * h) * (curvature + rate * s);
+  const double c = 0.125 * rate * h * h, cc = c * c;
+  const Doubles bb = b * b;
+  const Doubles along = 1.0 - 0.1 * cc + cc * cc / 216.0 + bb * (-1.0 / 6.0 + cc / 28.0 + bb * (1.0 / 120.0 - cc / 432.0 - bb * (1.0 / 5040.0)));
+  const Doubles across = c * ((1.0 / 3.0 - cc / 42.0) + bb * (-0.1 + cc / 108.0 + bb * (1.0 / 168.0 - bb * (1.0 / 6480.0))));
+  const SinCosLanes p = sin_cos(heading + s * (curvature + 0.5 * rate * s));
+  const Doubles dx = h * (p.cos * along - p.sin * across), dy = h * (p.sin * along + p.cos * across);
+  __builtin_memcpy(out.dx, &dx, sizeof dx);
+  __builtin_memcpy(out.dy, &dy, sizeof dy);
+}
+
 template <std::size_t n>
 inline void add_steps(const GaussHalf<n>& rule, double heading, double curvature, double rate, Doubles begin, double h, Steps& out) {
   Doubles dx{}, dy{};
@@ -146,7 +161,7 @@ inline void add_steps(const GaussHalf<n>& rule, double heading, double curvature
 void steps(double heading, double curvature, double rate, double s0, double h, int points, Steps& out) {
   const Doubles begin = s0 + h * Doubles{0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
   switch (points) {
-    case 4: return add_steps(gauss_4, heading, curvature, rate, begin, h, out);
+    case 0: return add_steps_by_series(heading, curvature, rate, begin, h, out);
     case 6: return add_steps(gauss_6, heading, curvature, rate, begin, h, out);
     case 8: return add_steps(gauss_8, heading, curvature, rate, begin, h, out);
     default: return add_steps(gauss_16, heading, curvature, rate, begin, h, out);

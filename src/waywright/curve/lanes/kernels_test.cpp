@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "waywright/core/random.hpp"
@@ -38,7 +39,7 @@ TEST(ClothoidLanes, FitsAndStepsAreTheSameBits) {
       fits.a[k] = random.uniform(-9, 9);
     }
     const double heading = random.uniform(-3, 3), curvature = random.uniform(-2, 2), rate = random.uniform(-1, 1), s0 = random.uniform(0, 5), h = random.uniform(0.01, 0.5);
-    const int points = 4 + 2 * static_cast<int>(random.integer(0, 3));
+    const int points = std::array{0, 6, 8, 16}[static_cast<std::size_t>(random.integer(0, 3))];
     clothoid_lanes::Fits first_fits = fits;
     clothoid_lanes::Steps first_steps;
     clothoid_lanes::available().front().fit(first_fits, 24.0, 0.02);
@@ -57,6 +58,25 @@ TEST(ClothoidLanes, FitsAndStepsAreTheSameBits) {
         EXPECT_EQ(steps.dx[k], first_steps.dx[k]) << kernels.name;
         EXPECT_EQ(steps.dy[k], first_steps.dy[k]) << kernels.name;
       }
+    }
+  }
+}
+
+TEST(ClothoidLanes, TheSeriesIsTheIntegral) {
+  Random random{4};
+  for (int i = 0; i < 20'000; ++i) {
+    const double h = std::pow(10.0, random.uniform(-3, 1));
+    const double rate = random.uniform(-1, 1) * 16e-3 / (h * h);  // c up to 0.002
+    // The first step has all of the turning that is allowed, the last one, eight on, no more.
+    const double curvature = random.uniform(-1, 1) * (0.18 / h - 8.0 * std::abs(rate) * h);
+    if (std::abs(curvature) + 8.0 * std::abs(rate) * h > 0.18 / h) continue;
+    const double heading = random.uniform(-3, 3);
+    clothoid_lanes::Steps series, points;
+    clothoid_lanes::best().steps(heading, curvature, rate, 0.0, h, 0, series);
+    clothoid_lanes::best().steps(heading, curvature, rate, 0.0, h, 16, points);
+    for (int k = 0; k < clothoid_lanes::width; ++k) {
+      ASSERT_NEAR(series.dx[k], points.dx[k], 3e-14 * h);
+      ASSERT_NEAR(series.dy[k], points.dy[k], 3e-14 * h);
     }
   }
 }
