@@ -14,11 +14,17 @@ void PatternSolver::reserve(std::size_t samples) {
 }
 
 const SideFound* PatternSolver::solve(bool second_choice, Budget& budget) {
+  prove_ahead(budget);
+  const SideFound* found = solve_watched(second_choice, budget);
+  search_.watch({});
+  return found;
+}
+
+const SideFound* PatternSolver::solve_watched(bool second_choice, Budget& budget) {
   const Problem& problem = prepared_.problem();
   sides_ = &none_;
   in_motion_ = tried_in_motion_ = false;
   can_stop_ = !problem.blocked_stop();
-  prove_ahead(budget);
   if (const auto& motion = problem.motion(); motion && motion->direction < 0) {
     tried_in_motion_ = in_motion_ = true;
     const PatternEntry moving{{placement_of(problem.first_pose()), motion->curvature}, motion->speed};

@@ -44,6 +44,7 @@ class PatternSolver {
     Proof proof;
     std::vector<Sample> samples;
   };
+  const SideFound* solve_watched(bool second_choice, Budget& budget);
   /// Where a run may be ended at any time, the best so far is proven and sampled while the search goes on.
   void prove_ahead(Budget& budget);
   bool take_ahead(std::size_t side, SideFound& best, bool is_cut_short);
