@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "waywright/planner/grid/heuristic_rest.hpp"
 #include "waywright/planner/grid/search_core.hpp"
 
 namespace waywright {
@@ -17,55 +18,16 @@ constexpr Cell unpack(std::uint32_t state) { return {static_cast<int>(state & 0x
 /// The two that most searches have are compiled each on its own; `others` looks which it is.
 enum class Kind { free_way, none, others };
 
-/// The heuristic towards one cell, less what keeps it under the way to any of the goals.
-template <Kind kind, Neighbours neighbours>
-struct Rest {
-  MoveWeights weights;
-  Heuristic heuristic = Heuristic::free_way;
-  Cell middle{};
-  std::uint32_t less = 0;
-
-  std::uint32_t raw(Cell c) const {
-    const int columns = c.column - middle.column, rows = c.row - middle.row;
-    if constexpr (kind == Kind::none) return 0;
-    if constexpr (kind == Kind::free_way) return free_way(neighbours, weights, columns, rows);
-    switch (heuristic) {
-      case Heuristic::none: return 0;
-      case Heuristic::free_way: return free_way(neighbours, weights, columns, rows);
-      case Heuristic::octile: return free_way(Neighbours::eight, weights, columns, rows);
-      case Heuristic::manhattan: return free_way(Neighbours::four, weights, columns, rows);
-      case Heuristic::chebyshev: return static_cast<std::uint32_t>(std::max(std::abs(columns), std::abs(rows))) * weights.scale;
-      case Heuristic::euclidean: {
-        constexpr double under = 1.0 - 0x1p-20;  // never over a sum of weights
-        const double squared = static_cast<double>(static_cast<std::int64_t>(columns) * columns + static_cast<std::int64_t>(rows) * rows);
-        return static_cast<std::uint32_t>(under * weights.scale * std::sqrt(squared));
-      }
-    }
-    return 0;
-  }
-  std::uint32_t at(Cell c) const {
-    const std::uint32_t value = raw(c);
-    return value > less ? value - less : 0;
-  }
-};
-
 /// The graph as the search sees it.
 template <Kind kind, Neighbours neighbours, bool has_danger, bool asks>
 class Space {
  public:
   Space(const GridGraph& graph, const MoveWeights& weights, const GridQuery& query, const std::vector<Terminal>& targets)
-      : graph_{graph}, query_{query}, width_{static_cast<std::uint32_t>(graph.columns())}, free_{graph.free_moves().data()},
+      : graph_{graph}, query_{query}, all_weights_{weights}, rest_{neighbours, weights, kind == Kind::free_way ? Heuristic::free_way : query.heuristic}, width_{static_cast<std::uint32_t>(graph.columns())}, free_{graph.free_moves().data()},
         asked_{graph.asked_moves().data()}, danger_{graph.danger().data()} {
-    rest_.weights = weights;
-    rest_.heuristic = query.heuristic;
-    rest_.middle = unpack(targets.front().state);
-    for (const Terminal& t : targets) {
-      const Cell c = unpack(t.state);
-      low_ = {std::min(low_.column, c.column), std::min(low_.row, c.row)};
-      high_ = {std::max(high_.column, c.column), std::max(high_.row, c.row)};
-      const std::uint32_t way = rest_.raw(c);
-      rest_.less = std::max(rest_.less, way > t.cost ? way - t.cost : 0);
-    }
+    std::vector<std::pair<Cell, std::uint32_t>> ends;
+    for (const Terminal& t : targets) ends.push_back({unpack(t.state), t.cost});
+    rest_.aim_at(ends);
     for (std::size_t i = 0; i < moves.size(); ++i) {
       offsets_[i] = static_cast<std::uint32_t>(moves[i].row * 65536 + moves[i].column);
       weights_[i] = weights.of(static_cast<int>(i));
@@ -77,16 +39,16 @@ class Space {
 
   std::size_t size() const { return graph_.cells(); }
   std::size_t index(std::uint32_t state) const { return static_cast<std::size_t>(state >> 16) * width_ + (state & 0xFFFF); }
-  std::uint32_t rest(std::uint32_t state) const { return rest_.at(unpack(state)); }
-  bool may_be_target(std::uint32_t state) const {
-    const Cell c = unpack(state);
-    return c.column >= low_.column && c.column <= high_.column && c.row >= low_.row && c.row <= high_.row;
+  std::uint32_t rest(std::uint32_t state) const {
+    if constexpr (kind == Kind::none) return 0;
+    return rest_.at(unpack(state));
   }
-  std::uint64_t most_cost() const { return static_cast<std::uint64_t>(rest_.weights.knight) * (256 + most_danger_) / 256 + 1; }
+  bool may_be_target(std::uint32_t state) const { return rest_.may_be_end(unpack(state)); }
+  std::uint64_t most_cost() const { return static_cast<std::uint64_t>(all_weights_.knight) * (256 + most_danger_) / 256 + 1; }
   std::uint64_t most_rest() const {
-    return static_cast<std::uint64_t>(graph_.columns() + graph_.rows()) * rest_.weights.scale;  // manhattan is the greatest
+    return static_cast<std::uint64_t>(graph_.columns() + graph_.rows()) * all_weights_.scale;  // manhattan is the greatest
   }
-  std::uint32_t bucket_width() const { return std::bit_floor(std::max(1U, rest_.weights.scale / 8)); }
+  std::uint32_t bucket_width() const { return std::bit_floor(std::max(1U, all_weights_.scale / 8)); }
 
   template <class Emit>
   void expand(std::uint32_t state, Emit&& emit) const {
@@ -112,12 +74,12 @@ class Space {
  private:
   const GridGraph& graph_;
   const GridQuery& query_;
+  MoveWeights all_weights_;
+  HeuristicRest rest_;
   std::uint32_t width_;
   const std::uint16_t* free_;
   const std::uint16_t* asked_;
   const std::uint16_t* danger_;
-  Rest<kind, neighbours> rest_;
-  Cell low_{GridGraph::longest_side, GridGraph::longest_side}, high_{-1, -1};
   std::array<std::uint32_t, all_moves> offsets_{}, weights_{};
   std::array<std::ptrdiff_t, all_moves> cells_{};
   std::uint32_t most_danger_ = 0;
