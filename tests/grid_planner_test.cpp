@@ -68,7 +68,9 @@ TEST(GridPlanner, EveryWayFoundIsProvenAndAStarCostsWhatDijkstraCosts) {
     }
     ++solved;
     ASSERT_LE(a.effort.expansions, d.effort.expansions);
-    if (footprint.is_disc()) ASSERT_NEAR(a.metrics.length, d.metrics.length, 1e-3);
+    if (footprint.is_disc()) {
+      ASSERT_NEAR(a.metrics.length, d.metrics.length, 1e-3);
+    }
     const Pose end = end_pose(a.path);
     const Pose goal = std::get<Pose>(s.mission);
     ASSERT_LE(distance(end.position(), goal.position()), 1e-9);
@@ -210,7 +212,7 @@ TEST(GridPlanner, APreparedOnePlansTheSameFromManyThreads) {
       for (int i = 0; i < 3; ++i) {
         Budget budget;
         const PlanningResult result = ready.plan(problem, budget);
-        text.push_back(result ? plan_json(judge(problem, result->path)).substr(0, 0) + std::to_string(length(result->path)) + std::to_string(budget.expansions()) : "none");
+        text.push_back(result ? std::to_string(length(result->path)) + std::to_string(budget.expansions()) : "none");
       }
     });
   }

@@ -38,7 +38,7 @@ bool is_near(const GridFrame& frame, Vec2 at) {
 /// Connections of one pose, all actions told outwards, from the pose to the cell; into the pose they are driven the other way.
 class Connector {
  public:
-  Connector(const HeadingSpace& space, double margin, bool is_start, MotionTest& test) : space_{space}, margin_{margin}, is_start_{is_start}, test_{test} {}
+  Connector(const HeadingSpace& space, double margin, bool is_start, MotionCheck& test) : space_{space}, margin_{margin}, is_start_{is_start}, test_{test} {}
 
   /// From `base`, with what was done before it came there.
   void from(const Pose& base, const std::vector<Action>& before, double cost) {
@@ -95,7 +95,7 @@ class Connector {
   const HeadingSpace& space_;
   double margin_;
   bool is_start_;
-  MotionTest& test_;
+  MotionCheck& test_;
   std::vector<HeadingConnection> found_;
 };
 
@@ -115,7 +115,7 @@ void turn_round(HeadingConnection& connection, Vec2 pose) {
 
 }  // namespace
 
-std::vector<DiscConnection> disc_connections(const Problem& problem, const GridFrame& frame, Vec2 at, MotionTest& test) {
+std::vector<DiscConnection> disc_connections(const Problem& problem, const GridFrame& frame, Vec2 at, MotionCheck& test) {
   if (!is_near(frame, at)) return {};
   if (const Cell c = cell_of(frame, at); is_middle(frame, c, at)) return {{c, 0.0}};
   const double margin = connecting_margin(problem);
@@ -129,7 +129,7 @@ std::vector<DiscConnection> disc_connections(const Problem& problem, const GridF
   return found;
 }
 
-std::vector<HeadingConnection> heading_connections(const Problem& problem, const HeadingSpace& space, const Pose& pose, bool is_start, MotionTest& test) {
+std::vector<HeadingConnection> heading_connections(const Problem& problem, const HeadingSpace& space, const Pose& pose, bool is_start, MotionCheck& test) {
   const double margin = connecting_margin(problem);
   Connector connector{space, margin, is_start, test};
   connector.from(pose, {}, 0.0);

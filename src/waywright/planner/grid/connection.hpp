@@ -5,7 +5,7 @@
 
 #include "waywright/planner/grid/grid_frame.hpp"
 #include "waywright/planner/grid/heading_search.hpp"
-#include "waywright/planner/grid/motion_test.hpp"
+#include "waywright/planner/grid/motion_check.hpp"
 
 namespace waywright {
 
@@ -24,7 +24,7 @@ struct DiscConnection {
 };
 /// The middles around a place that it can be driven from, or to, on a straight line: the cell that it is the middle of alone, or those of the four around it;
 /// where none of them can be, of the sixteen or the thirty-six around.
-std::vector<DiscConnection> disc_connections(const Problem& problem, const GridFrame& frame, Vec2 at, MotionTest& test);
+std::vector<DiscConnection> disc_connections(const Problem& problem, const GridFrame& frame, Vec2 at, MotionCheck& test);
 
 /// Of a footprint with a shape: to a state of a HeadingSpace, with what is done on the way, in the order of driving.
 struct HeadingConnection {
@@ -34,6 +34,6 @@ struct HeadingConnection {
 };
 /// From a pose turn, drive to a middle around it, and turn to one of the two headings next to the way there. Where that cannot be, first straight on or back along
 /// the pose's heading, as little as serves. `is_start`: from the pose; else into it, the same driven the other way.
-std::vector<HeadingConnection> heading_connections(const Problem& problem, const HeadingSpace& space, const Pose& pose, bool is_start, MotionTest& test);
+std::vector<HeadingConnection> heading_connections(const Problem& problem, const HeadingSpace& space, const Pose& pose, bool is_start, MotionCheck& test);
 
 }  // namespace waywright

@@ -119,14 +119,14 @@ class GridPlanner::Ready {
     if (budget.exhausted()) return tl::unexpected{nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, 0, budget, 0.0, "")};
     budget.count_evaluations();
     if (problem_.start() == problem_.goal()) return tl::unexpected{failure(Status::no_path, "start and goal are the same pose, there is nothing to drive")};
-    MotionTest test{problem_};
+    MotionCheck test{problem_};
     if (auto direct = direct_way(test)) return explained(std::move(*direct), options, 0, std::nullopt);
     return headings_ ? plan_headings(options, budget, test) : plan_disc(options, budget, test);
   }
 
  private:
   /// Where start and goal are within two cells the grid would only lead astray.
-  std::optional<Path> direct_way(MotionTest& test) const {
+  std::optional<Path> direct_way(MotionCheck& test) const {
     const Pose& start = problem_.start();
     const Pose& goal = problem_.goal();
     const double margin = connecting_margin(problem_), way = distance(start.position(), goal.position());
@@ -155,7 +155,7 @@ class GridPlanner::Ready {
                    pose);
   }
 
-  PlanningResult plan_disc(const GridPlannerOptions& options, Budget& budget, MotionTest& test) const {
+  PlanningResult plan_disc(const GridPlannerOptions& options, Budget& budget, MotionCheck& test) const {
     const Pose& start = problem_.start();
     const Pose& goal = problem_.goal();
     const auto from = disc_connections(problem_, frame_, start.position(), test), to = disc_connections(problem_, frame_, goal.position(), test);
@@ -183,7 +183,7 @@ class GridPlanner::Ready {
     return explained(path_of(start, actions, goal), options, answer.expansions, answer.cost * frame_.cell);
   }
 
-  PlanningResult plan_headings(const GridPlannerOptions& options, Budget& budget, MotionTest& test) const {
+  PlanningResult plan_headings(const GridPlannerOptions& options, Budget& budget, MotionCheck& test) const {
     const auto from = heading_connections(problem_, *headings_, problem_.start(), true, test);
     const auto to = heading_connections(problem_, *headings_, problem_.goal(), false, test);
     if (from.empty() || to.empty()) return tl::unexpected{not_connected(from.empty())};

@@ -32,7 +32,7 @@ static_assert(GridGraph::longest_side <= 1 << 14);
 
 class Space {
  public:
-  Space(const HeadingSpace& space, const MoveWeights& weights, Heuristic heuristic, const std::vector<grid::Terminal>& targets, MotionTest& test)
+  Space(const HeadingSpace& space, const MoveWeights& weights, Heuristic heuristic, const std::vector<grid::Terminal>& targets, MotionCheck& test)
       : space_{space}, weights_{weights}, test_{test}, rest_{space.neighbours(), weights, heuristic} {
     std::vector<std::pair<Cell, std::uint32_t>> ends;
     for (const grid::Terminal& t : targets) ends.push_back({unpack(t.state).cell, t.cost});
@@ -81,7 +81,7 @@ class Space {
  private:
   const HeadingSpace& space_;
   MoveWeights weights_;
-  MotionTest& test_;
+  MotionCheck& test_;
   HeuristicRest rest_;
   std::vector<std::uint32_t> turns_;
   std::uint32_t greatest_turn_ = 0;
@@ -98,7 +98,7 @@ std::vector<grid::Terminal> terminals(const std::vector<HeadingEnd>& ends, doubl
 HeadingSpace::HeadingSpace(const Problem& problem, const GridFrame& frame, const CellBounds& bounds, Neighbours neighbours, const HeadingCosts& costs)
     : frame_{frame}, bounds_{bounds}, neighbours_{neighbours}, costs_{costs}, headings_{static_cast<int>(neighbours)}, margin_{lattice_margin(problem)},
       outer_{problem.footprint().radius()}, inner_{problem.footprint().is_disc() ? problem.footprint().disc : inner_radius(problem.footprint().polygon)} {
-  const MotionTest test{problem};
+  const MotionCheck test{problem};
   std::vector<Vec2> ways;
   for (int h = 0; h < headings_; ++h) {
     const Move m = moves[static_cast<std::size_t>(move(h))];
@@ -114,7 +114,7 @@ HeadingSpace::HeadingSpace(const Problem& problem, const GridFrame& frame, const
   }
 }
 
-bool HeadingSpace::is_drive_free(Cell from, int heading, bool backwards, MotionTest& test) const {
+bool HeadingSpace::is_drive_free(Cell from, int heading, bool backwards, MotionCheck& test) const {
   const int i = move(heading);
   const Move m = moves[static_cast<std::size_t>(backwards ? opposite(i) : i)];
   const Cell to{from.column + m.column, from.row + m.row};
@@ -125,7 +125,7 @@ bool HeadingSpace::is_drive_free(Cell from, int heading, bool backwards, MotionT
   return test.is_free((backwards ? backwards_ : forwards_)[static_cast<std::size_t>(heading)], frame_.centre(from), margin_);
 }
 
-bool HeadingSpace::is_turn_free(Cell at, int heading, MotionTest& test) const {
+bool HeadingSpace::is_turn_free(Cell at, int heading, MotionCheck& test) const {
   if (bounds_.at_least(at) >= margin_ + outer_) return true;
   if (bounds_.at_most(at) <= margin_ + inner_) return false;
   return test.is_free(turning_[static_cast<std::size_t>(heading)], frame_.centre(at), margin_);
@@ -141,7 +141,7 @@ HeadingSearch::HeadingSearch(HeadingSearch&&) noexcept = default;
 HeadingSearch& HeadingSearch::operator=(HeadingSearch&&) noexcept = default;
 
 HeadingAnswer HeadingSearch::run(const HeadingSpace& space, const std::vector<HeadingEnd>& starts, const std::vector<HeadingEnd>& goals, Heuristic heuristic,
-                                 std::optional<std::int64_t> expansions, Budget* budget, MotionTest& test) {
+                                 std::optional<std::int64_t> expansions, Budget* budget, MotionCheck& test) {
   HeadingAnswer answer;
   if (starts.empty() || goals.empty()) return answer;
   const std::int64_t most = expansions.value_or(std::numeric_limits<std::int64_t>::max());

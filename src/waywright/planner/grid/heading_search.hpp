@@ -9,7 +9,7 @@
 
 #include "waywright/planner/grid/grid_frame.hpp"
 #include "waywright/planner/grid/grid_search.hpp"
-#include "waywright/planner/grid/motion_test.hpp"
+#include "waywright/planner/grid/motion_check.hpp"
 
 namespace waywright {
 
@@ -31,8 +31,8 @@ class HeadingSpace {
   /// By how much a turn from a heading to the next one turns, rad; negative to the right.
   double turn(int heading) const { return turns_[static_cast<std::size_t>(heading)]; }
   int beside(int heading, int by) const { return (heading + by + headings_) % headings_; }
-  bool is_drive_free(Cell from, int heading, bool backwards, MotionTest& test) const;
-  bool is_turn_free(Cell at, int heading, MotionTest& test) const;  ///< between this heading and the next
+  bool is_drive_free(Cell from, int heading, bool backwards, MotionCheck& test) const;
+  bool is_turn_free(Cell at, int heading, MotionCheck& test) const;  ///< between this heading and the next
 
   const GridFrame& frame() const { return frame_; }
   Neighbours neighbours() const { return neighbours_; }
@@ -48,7 +48,7 @@ class HeadingSpace {
   double outer_ = 0.0;          ///< m, of the footprint about its origin
   double inner_ = 0.0;          ///< m, radius of a disc about the origin inside the footprint
   std::vector<double> angles_, turns_;
-  std::vector<std::vector<MotionTest::Swept>> forwards_, backwards_, turning_;
+  std::vector<std::vector<MotionCheck::Swept>> forwards_, backwards_, turning_;
 };
 
 struct HeadingState {
@@ -82,7 +82,7 @@ class HeadingSearch {
 
   /// The least costly way; `expansions` and `budget` as in GridQuery.
   HeadingAnswer run(const HeadingSpace& space, const std::vector<HeadingEnd>& starts, const std::vector<HeadingEnd>& goals, Heuristic heuristic,
-                    std::optional<std::int64_t> expansions, Budget* budget, MotionTest& test);
+                    std::optional<std::int64_t> expansions, Budget* budget, MotionCheck& test);
 
  private:
   struct State;

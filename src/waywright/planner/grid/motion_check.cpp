@@ -1,4 +1,4 @@
-#include "waywright/planner/grid/motion_test.hpp"
+#include "waywright/planner/grid/motion_check.hpp"
 
 #include <cmath>
 #include <span>
@@ -31,7 +31,7 @@ double connecting_margin(const Problem& problem) {
 
 double lattice_margin(const Problem& problem) { return problem.required_clearance() + 2.0 * ProofOptions{}.tolerance; }
 
-MotionTest::MotionTest(const Problem& problem) : problem_{problem} {
+MotionCheck::MotionCheck(const Problem& problem) : problem_{problem} {
   const Footprint& footprint = problem.footprint();
   if (footprint.is_disc()) {
     parts_ = {{{0.0, 0.0}}};
@@ -41,7 +41,7 @@ MotionTest::MotionTest(const Problem& problem) : problem_{problem} {
   }
 }
 
-std::vector<MotionTest::Swept> MotionTest::drive_rings(Vec2 way, double heading) const {
+std::vector<MotionCheck::Swept> MotionCheck::drive_rings(Vec2 way, double heading) const {
   std::vector<Swept> all;
   for (const Ring& part : parts_) {
     const Ring begin = placed(part, make_pose(Vec2{0.0, 0.0}, heading));
@@ -56,7 +56,7 @@ std::vector<MotionTest::Swept> MotionTest::drive_rings(Vec2 way, double heading)
   return all;
 }
 
-std::vector<MotionTest::Swept> MotionTest::turn_rings(double from, double angle) const {
+std::vector<MotionCheck::Swept> MotionCheck::turn_rings(double from, double angle) const {
   std::vector<Swept> all;
   if (problem_.footprint().is_disc()) return drive_rings({0.0, 0.0}, from);
   const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / turn_step)));
@@ -74,7 +74,7 @@ std::vector<MotionTest::Swept> MotionTest::turn_rings(double from, double angle)
   return all;
 }
 
-bool MotionTest::is_free(const std::vector<Swept>& swept, Vec2 at, double margin) {
+bool MotionCheck::is_free(const std::vector<Swept>& swept, Vec2 at, double margin) {
   for (const Swept& s : swept) {
     placed_ = s.ring;
     for (Vec2& p : placed_) p = p + at;
@@ -83,7 +83,7 @@ bool MotionTest::is_free(const std::vector<Swept>& swept, Vec2 at, double margin
   return true;
 }
 
-bool MotionTest::is_drive_free(Vec2 from, Vec2 to, double heading, double margin) { return is_free(drive_rings(to - from, heading), from, margin); }
-bool MotionTest::is_turn_free(Vec2 at, double from, double angle, double margin) { return is_free(turn_rings(from, angle), at, margin); }
+bool MotionCheck::is_drive_free(Vec2 from, Vec2 to, double heading, double margin) { return is_free(drive_rings(to - from, heading), from, margin); }
+bool MotionCheck::is_turn_free(Vec2 at, double from, double angle, double margin) { return is_free(turn_rings(from, angle), at, margin); }
 
 }  // namespace waywright

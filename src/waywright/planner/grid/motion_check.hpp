@@ -9,11 +9,11 @@ namespace waywright {
 
 /// For one thread. A drive is tested without any error: what a convex part sweeps on a straight line is the hull of its two places. A turn is
 /// cut into steps of at most `turn_step`, and each tested by the hull of its ends, grown by how far a point between leaves their chord.
-class MotionTest {
+class MotionCheck {
  public:
   static constexpr double turn_step = 0.06;  ///< rad; the growth is under 0.05 % of the footprint's radius
 
-  explicit MotionTest(const Problem& problem);
+  explicit MotionCheck(const Problem& problem);
 
   /// Does the footprint, facing `heading`, keep more than `margin` m from everything on the straight way? @pre margin ≥ 0
   bool is_drive_free(Vec2 from, Vec2 to, double heading, double margin);
