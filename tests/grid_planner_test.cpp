@@ -141,8 +141,8 @@ TEST(GridPlanner, AGoalThatCannotBeReachedIsSaidAtOnce) {
 
 // A door 5 mm wider than the disc is found where the cells' middles lie in its middle line.
 TEST(GridPlanner, FindsADoorThatIsMillimetresWiderThanTheDisc) {
-  EXPECT_EQ(planned(room(0.605), "astar", {{"resolution", 0.16}}).status, Status::solved);
-  EXPECT_EQ(planned(room(0.6005), "astar", {{"resolution", 0.16}}).status, Status::no_path);
+  EXPECT_EQ(planned(room(0.605), "astar", {{"resolution", 0.32}}).status, Status::solved);
+  EXPECT_EQ(planned(room(0.6005), "astar", {{"resolution", 0.32}}).status, Status::no_path);
 }
 
 TEST(GridPlanner, RefusesWhatCannotTurnOnTheSpot) {

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double same_place = 1e-9;  // m, and rad: less than any proof can tell
 constexpr int widest = 3;            // cells to each side that are looked at
+constexpr int most_straight_steps = 300;
 
 bool is_middle(const GridFrame& frame, Cell c, Vec2 at) { return frame.contains(c) && distance(frame.centre(c), at) <= same_place; }
 
@@ -133,14 +134,17 @@ std::vector<HeadingConnection> heading_connections(const Problem& problem, const
   const double margin = connecting_margin(problem);
   Connector connector{space, margin, is_start, test};
   connector.from(pose, {}, 0.0);
-  // As far as a footprint can stand in an opening that it cannot turn in.
+  // Out of an aisle or opening that it cannot turn in, as far as it goes straight on.
   const double step = std::max(space.frame().cell, 0.1 * problem.footprint().radius());
-  const double farthest = 2.5 * problem.footprint().radius() + 2.0 * step;
-  for (double s = step; s <= farthest && connector.found().empty(); s += step) {
+  bool goes_on[]{connector.may_drive(1), connector.may_drive(-1)};
+  for (int i = 1; i <= most_straight_steps && connector.found().empty() && (goes_on[0] || goes_on[1]); ++i) {
     for (const int outward : {1, -1}) {
-      if (!connector.may_drive(outward)) continue;
+      bool& is_open = goes_on[outward > 0 ? 0 : 1];
+      if (!is_open) continue;
+      const double s = i * step;
       const Vec2 there = pose.position() + (outward * s) * unit(pose.heading);
-      if (!test.is_drive_free(pose.position(), there, pose.heading, margin)) continue;
+      is_open = test.is_drive_free(pose.position(), there, pose.heading, margin);
+      if (!is_open) continue;
       Connector next{space, margin, is_start, test};
       next.from(make_pose(there, pose.heading), {{Action::Kind::drive, 0.0, there, outward}}, connector.driving(s, outward));
       for (HeadingConnection& c : next.found()) connector.found().push_back(std::move(c));

@@ -215,14 +215,17 @@ class GridPlanner::Ready {
     const Turning turning = turning_of(path);
     std::vector<std::string>& text = planned.explanation;
     if (cost) {
-      const std::string kind = options.heuristic == Heuristic::none ? std::string{"no heuristic"} : fmt::format("the heuristic {}", to_string(options.heuristic));
       const bool is_least = never_too_much(options.heuristic, options.neighbours);
-      std::string what = headings_ ? fmt::format("length and {:g} m for a radian of turning{}", options.costs.turn,
-                                                 options.costs.reverse > 0.0 ? fmt::format(", {:g} m for a metre backwards,", options.costs.reverse) : "")
-                                   : "length";
-      text.push_back(fmt::format("{} this is the way of least {} over {} x {} cells of {:g} m with {}{}, {:.3f} m; {} with {}.", is_least ? "Of all" : "Not surely of all, since the heuristic may be too much,",
-                                 what, frame_.columns, frame_.rows, frame_.cell, of_neighbours(options.neighbours), headings_ ? " and as many headings" : "", *cost,
-                                 counted(expansions, "expansion"), kind));
+      std::string what = is_least ? (headings_ ? "The least costly way" : "The shortest way") : "A way";
+      what += fmt::format(" over {} x {} cells of {:g} m with {}{}: {:.3f} m", frame_.columns, frame_.rows, frame_.cell, of_neighbours(options.neighbours),
+                          headings_ ? " and as many headings" : "", *cost);
+      if (headings_) {
+        what += fmt::format(", where a radian of turning counts as {:g} m", options.costs.turn);
+        what += options.costs.reverse > 0.0 ? fmt::format(" and a metre backwards as {:g} m", options.costs.reverse) : std::string{" and it never drives backwards"};
+      }
+      what += fmt::format("; {} with {}", counted(expansions, "expansion"),
+                          options.heuristic == Heuristic::none ? std::string{"no heuristic"} : fmt::format("the heuristic {}", to_string(options.heuristic)));
+      text.push_back(what + (is_least ? "." : ", which may expect too much, so that a better way may have been missed."));
     } else {
       text.push_back(fmt::format("Start and goal are within two cells of {:g} m: the way is straight, without a search.", frame_.cell));
     }
