@@ -12,6 +12,7 @@
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/io/scenario_json.hpp"
 #include "waywright/io/vehicle_io.hpp"
+#include "waywright/map/published_maps.hpp"
 
 namespace waywright {
 namespace {
@@ -87,6 +88,8 @@ class MapReader {
       read_dxf(source);
     else if (kind_ == "movingai")
       read_movingai(source);
+    else if (kind_ == "generate")
+      read_generated(source);
     else
       read_inlined(source);
     if (!node_.failed()) place(source);
@@ -105,22 +108,17 @@ class MapReader {
  private:
   bool check_fields() {
     if (!node_.is_object()) {
-      node_.fail(fmt::format("it is {}", kind_of(node_.json())), "an object with polygons, cells, ros, image, dxf or movingai");
-      return false;
-    }
-    // Before the other fields: this kind has fields of its own.
-    if (node_.has("generate")) {
-      node_.at("generate").fail("this kind of map is not supported yet", "polygons, cells, ros, image, dxf, movingai");
+      node_.fail(fmt::format("it is {}", kind_of(node_.json())), "an object with polygons, cells, ros, image, dxf, movingai or generate");
       return false;
     }
     if (!node_.is_object_of({"polygons", "cells", "ros", "image", "resolution", "origin", "occupied_below",
-                             "unknown_is_free", "movingai", "cell", "dxf", "unit", "obstacle_layers",
+                             "unknown_is_free", "movingai", "cell", "generate", "dxf", "unit", "obstacle_layers",
                              "boundary_layer", "tolerance", "closing", "transform", "align", "overlay", "obstacles", "source",
                              "notes", "alignment"})) {
       return false;
     }
     int kinds = 0;
-    for (const char* kind : {"ros", "image", "dxf", "movingai"}) {
+    for (const char* kind : {"ros", "image", "dxf", "movingai", "generate"}) {
       if (!node_.has(kind)) continue;
       ++kinds;
       kind_ = kind;
@@ -131,12 +129,12 @@ class MapReader {
     }
     if (kinds != 1) {
       node_.fail(kinds == 0 ? "no kind of map is given" : fmt::format("{} kinds of map are given", kinds),
-                 "exactly one of polygons (with cells), ros, image, dxf, movingai");
+                 "exactly one of polygons (with cells), ros, image, dxf, movingai, generate");
       return false;
     }
     if (kind_ != "dxf" && !has_none_of({"unit", "obstacle_layers", "boundary_layer", "tolerance", "closing"})) return false;
     if (kind_ != "movingai" && !has_none_of({"cell"})) return false;
-    if (kind_ == "movingai") return has_none_of({"resolution", "origin", "occupied_below", "unknown_is_free", "source", "notes", "alignment"});
+    if (kind_ == "movingai" || kind_ == "generate") return has_none_of({"resolution", "origin", "occupied_below", "unknown_is_free", "source", "notes", "alignment"});
     if (kind_ == "ros")
       return has_none_of({"resolution", "origin", "occupied_below", "source", "notes", "alignment"});
     if (kind_ == "image") return has_none_of({"unknown_is_free", "source", "notes", "alignment"});
@@ -185,6 +183,22 @@ class MapReader {
     source["origin"] = to_json(origin);
     source["occupied_below"] = below;
     take_grid(node_.at("image"), load_image_map(folder_ / name, resolution, origin, below), source);
+  }
+
+  /// Cells are inlined in plans, so that no plan depends on what a later version would make.
+  void read_generated(Json& source) {
+    const Node node = node_.at("generate");
+    const std::string name = node.text();
+    if (node.failed()) return;
+    auto made = published_map(name);
+    if (!made) {
+      std::string names;
+      for (const std::string& n : published_map_names()) names += (names.empty() ? "" : ", ") + n;
+      return node.fail(fmt::format("\"{}\" is not known", shortened(name)), names);
+    }
+    if (!count_cells(node_, made->grid.columns, made->grid.rows)) return;
+    source["name"] = name;
+    map_.grids.push_back(std::move(made->grid));
   }
 
   void read_movingai(Json& source) {
