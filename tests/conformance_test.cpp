@@ -89,7 +89,6 @@ TEST_P(Conformance, ObeysItsBudget) {
   EXPECT_LE(plan.effort.evaluations, 10);
   EXPECT_GT(plan.effort.evaluations, 0);
   EXPECT_LE(plan.effort.expansions, 10);
-  EXPECT_EQ(plan.effort.expansions > 0, planner().counts_expansions);
   EXPECT_TRUE(plan.reproducible);
 }
 

@@ -85,6 +85,43 @@ TEST(GridPlanner, EveryWayFoundIsProvenAndAStarCostsWhatDijkstraCosts) {
   EXPECT_GT(solved, 35);
 }
 
+TEST(GridPlanner, AnyAnglesAreNeverLongerAndOftenMuchShorter) {
+  Random random{31};
+  int solved = 0, shorter = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Scenario s = hall(random, disc, i % 2 == 0 ? 0.0 : 0.05, 14);
+    const Parameters parameters{{"neighbours", i % 3 == 0 ? 16.0 : 8.0}, {"resolution", i % 4 == 0 ? 0.1 : 0.25}};
+    const Plan grid = planned(s, "astar", parameters), any = planned(s, "theta_star", parameters);
+    ASSERT_EQ(any.status, grid.status) << i << ": " << any.reason;
+    if (grid.status != Status::solved) continue;
+    ++solved;
+    ASSERT_LE(any.metrics.length, grid.metrics.length + 1e-9) << i;
+    ASSERT_GE(any.metrics.length, distance(s.start.position(), std::get<Pose>(s.mission).position()) - 1e-9);
+    shorter += any.metrics.length < 0.99 * grid.metrics.length ? 1 : 0;
+  }
+  EXPECT_GT(solved, 40);
+  EXPECT_GT(shorter, 20);
+}
+
+// The shortest way past one corner is known: two tangents to the circle around it, and what the lattice cannot have of the arc between.
+TEST(GridPlanner, AnyAnglesComeNearTheTautWayAroundACorner) {
+  Scenario s;
+  s.map.boundaries = {rectangle({0, 0}, {10, 10})};
+  s.map.obstacles = {rectangle({4, 0.01}, {6, 5})};
+  s.vehicle.footprint = disc;
+  s.vehicle.drive = Differential{0.5};
+  s.start = {1.0, 3.0, 0};
+  s.mission = Pose{9.0, 3.0, 0};
+  // From (1, 3) over the corners' tops at height 5.301, each of radius 0.301 around (4, 5) and (6, 5).
+  const double r = 0.301, reach = std::hypot(3.0, 2.0), tangent = std::sqrt(reach * reach - r * r);
+  const double turned = std::atan2(2.0, 3.0) + std::asin(r / reach);
+  const double taut = 2.0 * (tangent + r * turned) + 2.0;
+  const Plan any = planned(s, "theta_star", {{"resolution", 0.05}});
+  ASSERT_EQ(any.status, Status::solved) << any.reason;
+  EXPECT_GE(any.metrics.length, taut - 0.003);  // the start's own leg may come nearer by a millimetre
+  EXPECT_LE(any.metrics.length, taut + 0.06);
+}
+
 // A hall of cells, turned and shifted: native cells, poses off their middles.
 TEST(GridPlanner, PlansOnTheMapsOwnCellsWhereverTheyLie) {
   Random random{4};

@@ -107,9 +107,9 @@ struct PlannerDescription {
   std::function<AnyPlanner(const Parameters&, std::uint64_t seed)> make;
   /// Does it, with these parameters, keep a budget of samples? Empty: no. All keep one of evaluations.
   std::function<bool(const Parameters&)> counts_samples = {};
-  bool counts_expansions = false;  ///< it keeps a budget of them
   bool goes_on_in_motion = false;  ///< it can begin where the vehicle moves; others begin where it has stopped
   bool passes_waypoints = false;   ///< of a mission; others are refused such a mission
+  bool counts_expansions = false;  ///< it keeps a budget of them
 };
 
 }  // namespace waywright

@@ -14,9 +14,11 @@ GridPlannerOptions options_of(const Parameters& p) {
   GridPlannerOptions options;
   options.neighbours = static_cast<Neighbours>(static_cast<int>(std::get<double>(p.at("neighbours"))));
   options.resolution = std::get<double>(p.at("resolution"));
-  options.costs.turn = std::get<double>(p.at("turn_cost"));
-  const double reverse = std::get<double>(p.at("reverse_cost"));
-  options.costs.reverse = reverse < 1.0 ? 0.0 : reverse;
+  if (p.contains("turn_cost")) {
+    options.costs.turn = std::get<double>(p.at("turn_cost"));
+    const double reverse = std::get<double>(p.at("reverse_cost"));
+    options.costs.reverse = reverse < 1.0 ? 0.0 : reverse;
+  }
   options.heuristic = p.contains("heuristic") ? heuristic_of(std::get<std::string>(p.at("heuristic"))) : Heuristic::none;
   return options;
 }
@@ -39,6 +41,20 @@ std::vector<ParameterDescription> parameters(bool has_heuristic) {
   return all;
 }
 
+PlannerDescription theta_star_description() {
+  std::vector<ParameterDescription> some = parameters(false);
+  some.resize(2);  // neighbours and resolution: a disc has no headings
+  PlannerDescription d{"theta_star", "ways at any angle over a grid by lazy Theta*, pulled taut, never longer than astar's; of a disc, or the disc around the footprint", std::move(some),
+                       [](const Parameters& p, std::uint64_t) -> AnyPlanner {
+                         GridPlannerOptions options = options_of(p);
+                         options.heuristic = Heuristic::free_way;
+                         options.any_angle = true;
+                         return GridPlanner{"theta_star", options};
+                       }};
+  d.counts_expansions = true;
+  return d;
+}
+
 }  // namespace
 
 std::vector<PlannerDescription> grid_planner_descriptions() {
@@ -52,6 +68,7 @@ std::vector<PlannerDescription> grid_planner_descriptions() {
     d.counts_expansions = true;
     all.push_back(std::move(d));
   }
+  all.push_back(theta_star_description());
   return all;
 }
 

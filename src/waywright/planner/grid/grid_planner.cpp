@@ -10,6 +10,8 @@
 #include "waywright/planner/grid/connection.hpp"
 #include "waywright/planner/grid/disc_graph.hpp"
 #include "waywright/planner/grid/grid_path.hpp"
+#include "waywright/planner/grid/sight.hpp"
+#include "waywright/planner/grid/theta_search.hpp"
 
 namespace waywright {
 namespace {
@@ -93,9 +95,12 @@ class GridPlanner::Ready {
     }
     frame_ = *frame;
     bounds_.emplace(problem, frame_);
-    if (problem.footprint().is_disc()) {
-      graph_ = disc_graph(frame_, *bounds_, options.neighbours, problem.footprint().disc + lattice_margin(problem));
-      bounds_.reset();  // settled
+    footprint_ = problem.footprint();
+    // At any angle a footprint has to turn by any angle: the disc around it can, wherever it can stand.
+    if (options.any_angle) footprint_ = {{}, footprint_.radius()};
+    if (footprint_.is_disc()) {
+      graph_ = disc_graph(frame_, *bounds_, options.neighbours, footprint_.disc + lattice_margin(problem));
+      if (!options.any_angle) bounds_.reset();  // settled
       return;
     }
     const std::int64_t states = static_cast<std::int64_t>(frame_.columns) * frame_.rows * static_cast<int>(options.neighbours);
@@ -119,7 +124,7 @@ class GridPlanner::Ready {
     if (budget.exhausted()) return tl::unexpected{nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, 0, budget, 0.0, "")};
     budget.count_evaluations();
     if (problem_.start() == problem_.goal()) return tl::unexpected{failure(Status::no_path, "start and goal are the same pose, there is nothing to drive")};
-    MotionCheck test{problem_};
+    MotionCheck test{problem_, footprint_};
     if (auto direct = direct_way(test)) return explained(std::move(*direct), options, 0, std::nullopt);
     return headings_ ? plan_headings(options, budget, test) : plan_disc(options, budget, test);
   }
@@ -176,11 +181,46 @@ class GridPlanner::Ready {
     budget.count_expansions(answer.expansions);
     if (answer.ended != SearchEnd::found) {
       return tl::unexpected{nothing_found(answer.ended, answer.known_at_once, answer.expansions, budget, frame_.cell,
-                                          fmt::format("a disc of {:.3f} m that keeps {:.3f} m", problem_.footprint().disc, problem_.required_clearance()))};
+                                          fmt::format("{} of {:.3f} m that keeps {:.3f} m", problem_.footprint().is_disc() ? "a disc" : "the disc around the footprint,", footprint_.disc,
+                                                      problem_.required_clearance()))};
     }
+    if (options.any_angle) return plan_any_angle(options, query, answer, budget);
     std::vector<Action> actions{{Action::Kind::drive, 0.0, frame_.centre(answer.cells.front()), 1}};
     for (const Action& a : drives_along(frame_, answer.cells)) actions.push_back(a);
     return explained(path_of(start, actions, goal), options, answer.expansions, answer.cost * frame_.cell);
+  }
+
+  /// Lazy Theta*, and the grid's way pulled taut: the shorter of the two, so never longer than what `astar` finds.
+  PlanningResult plan_any_angle(const GridPlannerOptions& options, const GridQuery& query, const GridAnswer& on_grid, Budget& budget) const {
+    const Pose& start = problem_.start();
+    const Pose& goal = problem_.goal();
+    const Sight sight{problem_, frame_, *bounds_, footprint_.disc};
+    ThetaQuery any{start.position(), goal.position(), query.starts, query.goals, lattice_margin(problem_), connecting_margin(problem_), {}, &budget, query.is_free};
+    if (query.expansions) any.expansions = *query.expansions - on_grid.expansions;
+    auto search = any_angles_.lend();
+    const ThetaAnswer answer = (*search).run(graph_, frame_, sight, any);
+    budget.count_expansions(answer.expansions);
+    if (answer.ended != SearchEnd::found) {
+      return tl::unexpected{nothing_found(answer.ended, false, budget.expansions(), budget, frame_.cell, fmt::format("a disc of {:.3f} m", footprint_.disc))};
+    }
+    std::vector<Vec2> cells{start.position()};
+    for (const Cell c : on_grid.cells) cells.push_back(frame_.centre(c));
+    cells.push_back(goal.position());
+    const double of_grid = length_of(cells);
+    const auto taut = [&](std::vector<Vec2> points) { return pulled_taut(std::move(points), sight, any.margin, any.end_margin); };
+    const std::vector<Vec2> from_theta = taut(answer.points), from_grid = taut(std::move(cells));
+    const std::vector<Vec2>& points = length_of(from_theta) <= length_of(from_grid) ? from_theta : from_grid;
+    std::vector<Action> actions;
+    for (std::size_t i = 1; i < points.size(); ++i) actions.push_back({Action::Kind::drive, 0.0, points[i], 1});
+    Planned planned = explained(path_of(start, actions, goal), options, budget.expansions(), of_grid);
+    planned.explanation.front() =
+        fmt::format("A way at any angle over {} x {} cells of {:g} m: {:.3f} m with lazy Theta*, {:.3f} m where the shortest way over the cells, {:.3f} m, is pulled taut; the shorter is taken. "
+                    "{} in both searches.",
+                    frame_.columns, frame_.rows, frame_.cell, length_of(from_theta), length_of(from_grid), of_grid, counted(budget.expansions(), "expansion"));
+    if (!problem_.footprint().is_disc()) {
+      planned.explanation.push_back(fmt::format("It was searched for the disc around the footprint, {:.3f} m, which can turn wherever it can stand; astar finds narrower ways.", footprint_.disc));
+    }
+    return planned;
   }
 
   PlanningResult plan_headings(const GridPlannerOptions& options, Budget& budget, MotionCheck& test) const {
@@ -242,10 +282,12 @@ class GridPlanner::Ready {
   std::string refused_;
   GridFrame frame_;
   std::optional<CellBounds> bounds_;
+  Footprint footprint_;                   ///< that is searched for
   GridGraph graph_;                       ///< of a disc
   std::optional<HeadingSpace> headings_;  ///< of other footprints
   mutable Pool<GridSearch> grids_;
   mutable Pool<HeadingSearch> in_headings_;
+  mutable Pool<ThetaSearch> any_angles_;
 };
 
 GridPlanner GridPlanner::prepared(const Problem& problem) const {

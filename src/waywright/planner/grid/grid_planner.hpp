@@ -1,4 +1,4 @@
-// `dijkstra` and `astar`: shortest ways over the cells of a grid, driven as straight lines with turns on the spot, every move tested against the exact outlines.
+// `dijkstra`, `astar` and `theta_star`: ways over the cells of a grid, driven as straight lines with turns on the spot, every move tested against the exact outlines.
 #pragma once
 
 #include <memory>
@@ -15,6 +15,7 @@ struct GridPlannerOptions {
   Heuristic heuristic = Heuristic::free_way;
   double resolution = 0.0;  ///< m a cell; 0: the map's own cells, or 0.05 m
   HeadingCosts costs{};     ///< of footprints that are no disc
+  bool any_angle = false;   ///< not bound to the directions of moves; for a disc, or the disc around the footprint
 };
 
 class GridPlanner {

@@ -31,8 +31,7 @@ double connecting_margin(const Problem& problem) {
 
 double lattice_margin(const Problem& problem) { return problem.required_clearance() + 2.0 * ProofOptions{}.tolerance; }
 
-MotionCheck::MotionCheck(const Problem& problem) : problem_{problem} {
-  const Footprint& footprint = problem.footprint();
+MotionCheck::MotionCheck(const Problem& problem, const Footprint& footprint) : problem_{problem}, is_disc_{footprint.is_disc()} {
   if (footprint.is_disc()) {
     parts_ = {{{0.0, 0.0}}};
     grown_ = footprint.disc;
@@ -58,7 +57,7 @@ std::vector<MotionCheck::Swept> MotionCheck::drive_rings(Vec2 way, double headin
 
 std::vector<MotionCheck::Swept> MotionCheck::turn_rings(double from, double angle) const {
   std::vector<Swept> all;
-  if (problem_.footprint().is_disc()) return drive_rings({0.0, 0.0}, from);
+  if (is_disc_) return drive_rings({0.0, 0.0}, from);
   const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / turn_step)));
   const double step = angle / steps;
   const double quarter = sin_cos(0.25 * step).sin;

@@ -13,7 +13,9 @@ class MotionCheck {
  public:
   static constexpr double turn_step = 0.06;  ///< rad; the growth is under 0.05 % of the footprint's radius
 
-  explicit MotionCheck(const Problem& problem);
+  explicit MotionCheck(const Problem& problem) : MotionCheck{problem, problem.footprint()} {}
+  /// Of another footprint, for example a disc around the vehicle's.
+  MotionCheck(const Problem& problem, const Footprint& footprint);
 
   /// Does the footprint, facing `heading`, keep more than `margin` m from everything on the straight way? @pre margin ≥ 0
   bool is_drive_free(Vec2 from, Vec2 to, double heading, double margin);
@@ -33,6 +35,7 @@ class MotionCheck {
   const Problem& problem_;
   std::vector<Ring> parts_;  ///< convex; of a disc its middle
   double grown_ = 0.0;       ///< m, a disc's radius
+  bool is_disc_ = false;
   Ring placed_;
 };
 
