@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -22,7 +23,8 @@ std::string planner_words(const PlannerDescription& planner) {
   std::string text = planner.name + ": " + planner.summary + "\n";
   for (const ParameterDescription& p : planner.parameters) {
     std::string range;
-    if (std::holds_alternative<double>(p.default_value)) range = fmt::format("{} to {}{}", p.low, p.high, p.unit.empty() ? "" : " " + p.unit);
+    if (!p.values.empty()) range = fmt::format("{}", fmt::join(p.values, ", "));
+    else if (std::holds_alternative<double>(p.default_value)) range = fmt::format("{} to {}{}", p.low, p.high, p.unit.empty() ? "" : " " + p.unit);
     if (std::holds_alternative<bool>(p.default_value)) range = "true, false";
     for (const std::string& c : p.choices) range += (range.empty() ? "" : ", ") + c;
     text += fmt::format("  {:<22} {} (default {}; {})\n", p.name, p.summary, value_words(p.default_value), range);

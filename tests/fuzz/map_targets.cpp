@@ -63,6 +63,29 @@ Outcome run_ros_map(const std::string& bytes) {
   return Outcome::accepted;
 }
 
+Outcome run_movingai(const std::string& bytes) {
+  const auto loaded = decode_movingai_map(bytes, "hall.map", 0.5);
+  if (!loaded) {
+    require_sentence(loaded.error());
+    return Outcome::refused;
+  }
+  const CellGrid& grid = loaded->grid;
+  require(grid.columns >= 1 && grid.columns <= largest_side && grid.rows >= 1 && grid.rows <= largest_side, "sides are in range");
+  require(grid.blocked.size() == static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows), "every cell is there");
+  std::string written = "type octile\nheight " + std::to_string(grid.rows) + "\nwidth " + std::to_string(grid.columns) + "\nmap\n";
+  for (std::size_t i = 0; i < grid.blocked.size(); ++i) {
+    written += grid.blocked[i] != 0 ? '@' : '.';
+    if ((i + 1) % static_cast<std::size_t>(grid.columns) == 0) written += '\n';
+  }
+  const auto again = decode_movingai_map(written, "again.map", 0.5);
+  require(again.has_value() && again->grid.blocked == grid.blocked && again->grid.columns == grid.columns, "a map written reads back the same");
+  return Outcome::accepted;
+}
+
+std::vector<std::string> movingai_seeds() {
+  return {"type octile\nheight 3\nwidth 4\nmap\n.@GT\nOSW.\n....\n", "type octile\r\nheight 2\r\nwidth 7\r\nmap\r\n.@@@@@.\r\n.......\r\n", "type octile\nheight 1\nwidth 1\nmap\n."};
+}
+
 std::vector<std::string> image_seeds() { return {pgm_binary, pgm_wide, pgm_plain, encode_png(gradient(7, 5)), encode_png(gradient(1, 1))}; }
 
 std::vector<std::string> ros_map_seeds() {

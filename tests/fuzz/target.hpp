@@ -34,6 +34,7 @@ Outcome run_poses(const std::string& text);        ///< poses as CSV: read, judg
 Outcome run_site(const std::string& text);         ///< stations.csv: read, each row written as a scenario, read back, prepared
 Outcome run_image(const std::string& bytes);       ///< PGM and PNG: decoded, encoded, decoded back
 Outcome run_ros_map(const std::string& bytes);     ///< a ROS map's yaml, a zero byte, its picture
+Outcome run_movingai(const std::string& bytes);    ///< MovingAI's maps: decoded, written, decoded back
 Outcome run_dxf(const std::string& bytes);         ///< a DXF drawing: read, its blocks and curves expanded, made a map
 Outcome run_station(const std::string& bytes);     ///< a docking station made of the bytes: planned, proven, confirmed by brute force
 
@@ -43,6 +44,7 @@ std::vector<std::string> poses_seeds();
 std::vector<std::string> site_seeds();
 std::vector<std::string> image_seeds();
 std::vector<std::string> ros_map_seeds();
+std::vector<std::string> movingai_seeds();
 std::vector<std::string> dxf_seeds();
 std::vector<std::string> station_seeds();
 
@@ -50,7 +52,7 @@ inline const std::vector<Target>& targets() {
   static const std::vector<Target> all{{"scenario", run_scenario, scenario_seeds, true}, {"plan", run_plan, plan_seeds, true},
                                        {"poses", run_poses, poses_seeds},                {"image", run_image, image_seeds},
                                        {"site", run_site, site_seeds},
-                                       {"ros_map", run_ros_map, ros_map_seeds},          {"dxf", run_dxf, dxf_seeds},                      {"station", run_station, station_seeds}};
+                                       {"ros_map", run_ros_map, ros_map_seeds},          {"movingai", run_movingai, movingai_seeds},          {"dxf", run_dxf, dxf_seeds},                      {"station", run_station, station_seeds}};
   return all;
 }
 

@@ -27,6 +27,9 @@ class Budget {
   std::int64_t evaluations() const { return evaluations_; }
   void count_evaluations(std::int64_t n = 1) { evaluations_ += n; }
 
+  std::int64_t expansions() const { return expansions_; }
+  void count_expansions(std::int64_t n) { expansions_ += n; }
+
   /// What the limit leaves, ≥ 0.
   std::optional<std::int64_t> evaluations_left() const {
     if (!limits_.evaluations) return std::nullopt;
@@ -56,6 +59,7 @@ class Budget {
   const std::atomic<bool>* cancel_;
   Clock::time_point begin_;
   std::int64_t evaluations_ = 0;
+  std::int64_t expansions_ = 0;
   bool cut_short_ = false;
 };
 

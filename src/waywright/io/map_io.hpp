@@ -30,6 +30,12 @@ Parsed<LoadedGrid> load_ros_map(const std::filesystem::path& yaml, bool unknown_
 Parsed<LoadedGrid> load_image_map(const std::filesystem::path& image, double resolution, const Pose& origin,
                                   double occupied_below);
 
+/// A map of MovingAI's benchmarks: a character a cell, the first row at the top; `.`, `G` and `S` are free, `@`, `O`, `T` and `W` blocked. `cell` in m, > 0; the
+/// lower left corner is the origin.
+Parsed<LoadedGrid> load_movingai_map(const std::filesystem::path& file, double cell);
+/// The same from a file's bytes.
+Parsed<LoadedGrid> decode_movingai_map(const std::string& bytes, const std::string& name, double cell);
+
 /// Rigid transform of everything in a map (grids: their origin).
 void transform(Map& map, const Pose& pose);
 

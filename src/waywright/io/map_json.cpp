@@ -12,6 +12,7 @@
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/io/scenario_json.hpp"
 #include "waywright/io/vehicle_io.hpp"
+#include "waywright/map/published_maps.hpp"
 
 namespace waywright {
 namespace {
@@ -85,6 +86,10 @@ class MapReader {
       read_image(source);
     else if (kind_ == "dxf")
       read_dxf(source);
+    else if (kind_ == "movingai")
+      read_movingai(source);
+    else if (kind_ == "generate")
+      read_generated(source);
     else
       read_inlined(source);
     if (!node_.failed()) place(source);
@@ -103,23 +108,17 @@ class MapReader {
  private:
   bool check_fields() {
     if (!node_.is_object()) {
-      node_.fail(fmt::format("it is {}", kind_of(node_.json())), "an object with polygons, cells, ros, image or dxf");
-      return false;
-    }
-    // Before the other fields: these kinds have fields of their own.
-    for (const char* later : {"movingai", "generate"}) {
-      if (!node_.has(later)) continue;
-      node_.at(later).fail("this kind of map is not supported yet", "polygons, cells, ros, image, dxf");
+      node_.fail(fmt::format("it is {}", kind_of(node_.json())), "an object with polygons, cells, ros, image, dxf, movingai or generate");
       return false;
     }
     if (!node_.is_object_of({"polygons", "cells", "ros", "image", "resolution", "origin", "occupied_below",
-                             "unknown_is_free", "dxf", "unit", "obstacle_layers",
+                             "unknown_is_free", "movingai", "cell", "generate", "dxf", "unit", "obstacle_layers",
                              "boundary_layer", "tolerance", "closing", "transform", "align", "overlay", "obstacles", "source",
                              "notes", "alignment"})) {
       return false;
     }
     int kinds = 0;
-    for (const char* kind : {"ros", "image", "dxf"}) {
+    for (const char* kind : {"ros", "image", "dxf", "movingai", "generate"}) {
       if (!node_.has(kind)) continue;
       ++kinds;
       kind_ = kind;
@@ -130,10 +129,12 @@ class MapReader {
     }
     if (kinds != 1) {
       node_.fail(kinds == 0 ? "no kind of map is given" : fmt::format("{} kinds of map are given", kinds),
-                 "exactly one of polygons (with cells), ros, image, dxf");
+                 "exactly one of polygons (with cells), ros, image, dxf, movingai, generate");
       return false;
     }
     if (kind_ != "dxf" && !has_none_of({"unit", "obstacle_layers", "boundary_layer", "tolerance", "closing"})) return false;
+    if (kind_ != "movingai" && !has_none_of({"cell"})) return false;
+    if (kind_ == "movingai" || kind_ == "generate") return has_none_of({"resolution", "origin", "occupied_below", "unknown_is_free", "source", "notes", "alignment"});
     if (kind_ == "ros")
       return has_none_of({"resolution", "origin", "occupied_below", "source", "notes", "alignment"});
     if (kind_ == "image") return has_none_of({"unknown_is_free", "source", "notes", "alignment"});
@@ -182,6 +183,31 @@ class MapReader {
     source["origin"] = to_json(origin);
     source["occupied_below"] = below;
     take_grid(node_.at("image"), load_image_map(folder_ / name, resolution, origin, below), source);
+  }
+
+  /// Cells are inlined in plans, so that no plan depends on what a later version would make.
+  void read_generated(Json& source) {
+    const Node node = node_.at("generate");
+    const std::string name = node.text();
+    if (node.failed()) return;
+    auto made = published_map(name);
+    if (!made) {
+      std::string names;
+      for (const std::string& n : published_map_names()) names += (names.empty() ? "" : ", ") + n;
+      return node.fail(fmt::format("\"{}\" is not known", shortened(name)), names);
+    }
+    if (!count_cells(node_, made->grid.columns, made->grid.rows)) return;
+    source["name"] = name;
+    map_.grids.push_back(std::move(made->grid));
+  }
+
+  void read_movingai(Json& source) {
+    const std::string name = node_.at("movingai").file_name();
+    const double cell = node_.at("cell").number_above(0.0, 1e3);
+    if (node_.failed() || !count_file()) return;
+    source["file"] = name;
+    source["cell"] = cell;
+    take_grid(node_.at("movingai"), load_movingai_map(folder_ / name, cell), source);
   }
 
   void read_dxf(Json& source) {
@@ -437,7 +463,9 @@ Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec
   // A map object that names the file, or that lies in it: the same reading and checks as in a scenario.
   const bool yaml = extension == ".yaml" || extension == ".yml";
   const bool is_drawing = is_dxf(file);
-  Json named{{yaml ? "ros" : is_drawing ? "dxf" : "polygons", file.filename().string()}};
+  const bool is_movingai = extension == ".map";
+  Json named{{yaml ? "ros" : is_drawing ? "dxf" : is_movingai ? "movingai" : "polygons", file.filename().string()}};
+  if (is_movingai) named["cell"] = 1.0;  // the format has no scale
   if (is_drawing) {
     if (!drawing.unit.empty()) named["unit"] = drawing.unit;
     if (!drawing.obstacle_layers.empty()) named["obstacle_layers"] = drawing.obstacle_layers;
@@ -452,7 +480,7 @@ Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec
   if (record != nullptr) *record = source.dump(-1, ' ', false, Json::error_handler_t::replace);
   if (!context.error) return map;
   InputError error = *context.error;
-  if (error.field == "ros" || error.field == "polygons" || error.field == "dxf") error.field.clear();  // of the object made here, which names the file itself
+  if (error.field == "ros" || error.field == "polygons" || error.field == "dxf" || error.field == "movingai") error.field.clear();  // of the object made here, which names the file itself
   else if (error.file.empty()) error.file = file.string();
   return tl::unexpected{error};
 }

@@ -343,5 +343,39 @@ TEST_F(Files, OverlayAndAlignmentOfMaps) {
   EXPECT_NE(scenario->map_source.find("align_residuals"), std::string::npos);
 }
 
+const std::string movingai = "type octile\nheight 3\nwidth 4\nmap\n.@GT\nOSW.\n....\n";
+
+TEST(MovingAi, ReadsCharactersFromTheTopWithEitherLineEnd) {
+  std::string with_returns;
+  for (const char c : movingai) with_returns += c == '\n' ? std::string{"\r\n"} : std::string{c};
+  for (const std::string& text : {movingai, with_returns, movingai.substr(0, movingai.size() - 1), movingai + "\n \n"}) {
+    const auto loaded = decode_movingai_map(text, "hall.map", 0.5);
+    ASSERT_TRUE(loaded) << loaded.error().message();
+    EXPECT_EQ(loaded->grid.columns, 4);
+    EXPECT_EQ(loaded->grid.rows, 3);
+    EXPECT_EQ(loaded->grid.blocked, (std::vector<std::uint8_t>{0, 1, 0, 1, 1, 0, 1, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(loaded->grid.corner(0.5, 2.5), (Vec2{0.25, 0.25}));
+    EXPECT_TRUE(loaded->grid.bounds);
+  }
+}
+
+TEST(MovingAi, RefusesWithOneSentence) {
+  const auto sentence = [](std::string text, const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+    const auto loaded = decode_movingai_map(text, "hall.map", 1.0);
+    return loaded ? std::string{"accepted"} : loaded.error().message();
+  };
+  EXPECT_EQ(sentence(movingai, "octile", "tile"),
+            "hall.map: line 1 is not \"type octile\" (allowed: a MovingAI map: type octile, height, width, map, then a line of characters a row)");
+  EXPECT_EQ(sentence(movingai, "height 3", "height 99999"), "hall.map: height: line 2 is not \"height\" and a number that can be used (allowed: a whole number, 1 to 16384)");
+  EXPECT_EQ(sentence(movingai, "width 4", "width -4"), "hall.map: width: line 3 is not \"width\" and a number that can be used (allowed: a whole number, 1 to 16384)");
+  EXPECT_EQ(sentence(movingai, "map\n", "\n"), "hall.map: line 4 is not \"map\" (allowed: map)");
+  EXPECT_EQ(sentence(movingai, "OSW.", "OSW"), "hall.map: line 6 has 3 characters (allowed: as many as the width, 4)");
+  EXPECT_EQ(sentence(movingai, "OSW.", "OSx."), "hall.map: line 6 has \"x\" in column 3 (allowed: . G S (free), @ O T W (blocked))");
+  EXPECT_EQ(sentence(movingai, "....\n", ""), "hall.map: it ends after 2 of 3 rows (allowed: a line of characters for each row)");
+  EXPECT_EQ(sentence(movingai, "....\n", "....\n.\n"), "hall.map: line 8 comes after the last row (allowed: 3 rows, as the height says)");
+  EXPECT_EQ(sentence(movingai, "height 3", "height 16000"), "hall.map: it has 52 bytes, too few for 4 x 16000 cells (allowed: a line of characters for each row)");
+}
+
 }  // namespace
 }  // namespace waywright

@@ -29,6 +29,7 @@ Plan full_plan() {
   p.seed = 9223372036854775807U;
   p.timing = {0.1, 0.2, 1e-300, 0.30000000000000004};
   p.effort.evaluations = 640;
+  p.effort.expansions = 1234;
   BezierSpan cubic{3, {Vec2{0.1, 1e-300}, {1, 0}, {2, 1}, {3, 1}}};
   BezierSpan quintic{5, {Vec2{3, 1}, {4, 1}, {5, 2}, {6, 2}, {7, 2}, {8, -0.0}}};
   BezierSpan line{1, {Vec2{8, 0}, {9, 0}}};

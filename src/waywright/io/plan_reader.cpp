@@ -180,10 +180,8 @@ Timing read_timing(const Node& node) {
 Effort read_effort(const Node& node) {
   Effort effort;
   if (!node.is_object_of({"evaluations", "expansions", "samples"})) return effort;
-  for (const char* work :
-       {"expansions", "samples"}) {  // of other planners' plans; there is no place for them here
-    if (node.has(work)) node.at(work).integer(0, largest_count);
-  }
+  if (node.has("samples")) node.at("samples").integer(0, largest_count);  // of other planners' plans; there is no place for them here
+  if (node.has("expansions")) effort.expansions = node.at("expansions").integer(0, largest_count);
   if (node.has("evaluations")) effort.evaluations = node.at("evaluations").integer(0, largest_count);
   return effort;
 }

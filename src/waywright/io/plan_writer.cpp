@@ -135,6 +135,7 @@ std::string plan_json(const Plan& plan) {
                  {"plan", plan.timing.plan},
                  {"prove", plan.timing.prove}};
   j["effort"] = {{"evaluations", plan.effort.evaluations}};
+  if (plan.effort.expansions > 0) j["effort"]["expansions"] = plan.effort.expansions;
   if (plan.path.pieces.empty()) {
     j["path"] = j["metrics"] = j["certificate"] = nullptr;
   } else {

@@ -163,7 +163,7 @@ class Fingerprint {
   void add(const Plan& p) {
     add_all(p.version, std::string{to_string(p.status)}, p.reason, p.reproducible, p.scenario, p.planner,
             p.parameters, p.seed);
-    add_all(p.timing.load, p.timing.prepare, p.timing.plan, p.timing.prove, p.effort.evaluations,
+    add_all(p.timing.load, p.timing.prepare, p.timing.plan, p.timing.prove, p.effort.evaluations, p.effort.expansions,
             p.path.pieces, p.samples);
     const Metrics& m = p.metrics;
     add_all(m.length, m.min_clearance, m.mean_clearance, m.max_curvature, m.max_curvature_rate,

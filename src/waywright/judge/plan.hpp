@@ -20,6 +20,7 @@ struct Timing {
 
 struct Effort {
   std::int64_t evaluations = 0;  ///< candidate paths; of a sampling planner: candidate motions
+  std::int64_t expansions = 0;   ///< states that a search expanded
 };
 
 /// Something that was tried and not taken (or taken): a side, a form, a second choice.

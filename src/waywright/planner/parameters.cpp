@@ -1,5 +1,6 @@
 // Parameters against their description: one place for JSON, command line and listings.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,9 @@ std::optional<InputError> check(const ParameterDescription& p, const ParameterVa
   if (const auto* number = std::get_if<double>(&value)) {
     if (!(*number >= p.low && *number <= p.high)) {
       return InputError{"", field, fmt::format("{} is out of range", *number), range_of(p)};
+    }
+    if (!p.values.empty() && std::find(p.values.begin(), p.values.end(), *number) == p.values.end()) {
+      return InputError{"", field, fmt::format("{} is not one of them", *number), fmt::format("{}", fmt::join(p.values, ", "))};
     }
     if (p.whole && std::floor(*number) != *number) {
       return InputError{"", field, fmt::format("{} is not a whole number", *number), range_of(p)};
@@ -96,8 +100,9 @@ Parsed<void> check_mission(const std::string& planner, const Scenario& scenario)
 Parsed<void> check_budget(const std::string& planner, const Parameters& complete, const BudgetLimits& budget) {
   const PlannerDescription* description = find_planner(planner);
   const bool counts_samples = description != nullptr && description->counts_samples && description->counts_samples(complete);
-  const char* allowed = counts_samples ? "evaluations, samples, seconds" : "evaluations, seconds";
-  if (budget.expansions) return tl::unexpected{InputError{"", "budget.expansions", fmt::format("{} counts no expansions", planner), allowed}};
+  const bool counts_expansions = description != nullptr && description->counts_expansions;
+  const char* allowed = counts_expansions ? "evaluations, expansions, seconds" : counts_samples ? "evaluations, samples, seconds" : "evaluations, seconds";
+  if (budget.expansions && !counts_expansions) return tl::unexpected{InputError{"", "budget.expansions", fmt::format("{} counts no expansions", planner), allowed}};
   if (budget.samples && !counts_samples) {
     return tl::unexpected{InputError{"", "budget.samples", fmt::format("{} counts no samples", planner), allowed}};
   }

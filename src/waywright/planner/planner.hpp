@@ -95,6 +95,7 @@ struct ParameterDescription {
   std::string unit = {};                  ///< "m", "rad", "" …
   double low = 0.0, high = 0.0;           ///< range of a number, both ends allowed
   bool whole = false;                     ///< a whole number
+  std::vector<double> values = {};        ///< of a number, where only these are allowed
   std::vector<std::string> choices = {};  ///< of a word; empty for numbers and flags
 };
 
@@ -108,6 +109,7 @@ struct PlannerDescription {
   std::function<bool(const Parameters&)> counts_samples = {};
   bool goes_on_in_motion = false;  ///< it can begin where the vehicle moves; others begin where it has stopped
   bool passes_waypoints = false;   ///< of a mission; others are refused such a mission
+  bool counts_expansions = false;  ///< it keeps a budget of them
 };
 
 }  // namespace waywright

@@ -6,6 +6,7 @@
 #include "waywright/optimizer/pagmo/pagmo_optimizers.hpp"
 #include "waywright/planner/docking/pattern_docking.hpp"
 #include "waywright/planner/docking/published_docking.hpp"
+#include "waywright/planner/grid/grid_planner.hpp"
 #include "waywright/planner/ompl/rrt_connect.hpp"
 #include "waywright/planner/waypoint/describe.hpp"
 #include "waywright/scenario/parameter_values.hpp"
@@ -129,8 +130,12 @@ const std::vector<OptimizerDescription>& optimizers() {
 }
 
 const std::vector<PlannerDescription>& planners() {
-  static const std::vector<PlannerDescription> all{pattern_docking_description(), published_docking_description(),
-                                                   rrt_connect_description(), waypoint_clothoid_description(optimizer_names(), optimizer_of)};
+  static const std::vector<PlannerDescription> all = [] {
+    std::vector<PlannerDescription> list{pattern_docking_description(), published_docking_description(), rrt_connect_description(),
+                                         waypoint_clothoid_description(optimizer_names(), optimizer_of)};
+    for (PlannerDescription& p : grid_planner_descriptions()) list.push_back(std::move(p));
+    return list;
+  }();
   return all;
 }
 

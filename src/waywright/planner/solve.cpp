@@ -53,6 +53,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
   plan.timing.prepare = prepared_in;
   plan.timing.plan = planned_in;
   plan.effort.evaluations = budget.evaluations();
+  plan.effort.expansions = budget.expansions();
   plan.reproducible = !budget.cut_short() && !budget.canceled();
   return finish(std::move(plan));
 }

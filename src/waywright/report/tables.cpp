@@ -178,7 +178,7 @@ std::string scenario_table(const Problem& problem, const Plan& plan) {
                               fixed(s.pose_error.heading, 4), s.pose_error.heading * 180.0 / pi),
                   ""});
   rows.push_back({"Planner", plan.planner, parameter_words(plan.parameters)});
-  rows.push_back({"Work", fmt::format("{} evaluations, seed {}", plan.effort.evaluations, plan.seed),
+  rows.push_back({"Work", fmt::format("{}, seed {}", effort_words(plan.effort), plan.seed),
                   plan.reproducible ? "reproducible" : "cut short: another run may differ"});
   std::string map = fmt::format("{} obstacles, {} lines, {} points", s.map.obstacles.size(),
                                 s.map.lines.size(), s.map.points.size());

@@ -40,7 +40,7 @@ std::string plan_text(const Plan& plan) {
       row("stops at curv. jumps", fmt::format("{}", stops));
     row("travel time", fmt::format("{:.2f} s", m.travel_time));
   }
-  row("effort", fmt::format("{} evaluations", plan.effort.evaluations));
+  row("effort", effort_words(plan.effort));
   row("time",
       fmt::format("plan {:.1f} ms, prove {:.1f} ms", 1000.0 * plan.timing.plan, 1000.0 * plan.timing.prove));
   for (const std::string& sentence : explanation_once(plan, false)) out += "  - " + sentence + "\n";

@@ -132,4 +132,10 @@ std::vector<std::string> explanation_once(const Plan& plan, bool beside_alternat
   return kept;
 }
 
+std::string effort_words(const Effort& effort) {
+  std::string text = fmt::format("{} evaluation{}", effort.evaluations, effort.evaluations == 1 ? "" : "s");
+  if (effort.expansions > 0) text += fmt::format(", {} expansions", effort.expansions);
+  return text;
+}
+
 }  // namespace waywright

@@ -21,6 +21,9 @@ std::string clearance_words(const Certificate& certificate);
 /// Nothing stood within the distance that the proof looks to: there is no tightest spot.
 bool is_beyond_measure(const Certificate& certificate);
 
+/// "640 evaluations", "1 evaluation, 1234 expansions".
+std::string effort_words(const Effort& effort);
+
 /// What a reader must know before trusting the result: the work was cut short, the map lies off the points
 /// that it was aligned by.
 std::vector<std::string> warnings(const Plan& plan);

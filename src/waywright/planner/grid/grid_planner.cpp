@@ -1,0 +1,304 @@
+#include "waywright/planner/grid/grid_planner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "waywright/planner/grid/connection.hpp"
+#include "waywright/planner/grid/disc_graph.hpp"
+#include "waywright/planner/grid/grid_path.hpp"
+#include "waywright/planner/grid/sight.hpp"
+#include "waywright/planner/grid/theta_search.hpp"
+
+namespace waywright {
+namespace {
+
+/// Memory of searches, handed out to one plan after another.
+template <class Search>
+class Pool {
+ public:
+  class Lent {
+   public:
+    explicit Lent(Pool& pool) : pool_{pool} {
+      const std::lock_guard lock{pool.mutex_};
+      if (pool.free_.empty()) {
+        search_ = std::make_unique<Search>();
+      } else {
+        search_ = std::move(pool.free_.back());
+        pool.free_.pop_back();
+      }
+    }
+    ~Lent() {
+      const std::lock_guard lock{pool_.mutex_};
+      pool_.free_.push_back(std::move(search_));
+    }
+    Lent(const Lent&) = delete;
+    Lent& operator=(const Lent&) = delete;
+    Search& operator*() { return *search_; }
+
+   private:
+    Pool& pool_;
+    std::unique_ptr<Search> search_;
+  };
+  Lent lend() { return Lent{*this}; }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Search>> free_;
+};
+
+PlanningFailure failure(Status status, std::string reason, std::optional<Pose> pose = {}) {
+  PlanningFailure f;
+  f.failure.status = status;
+  f.failure.reason = std::move(reason);
+  f.failure.pose = pose;
+  return f;
+}
+
+std::string counted(std::int64_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+
+std::string place(Vec2 p) { return fmt::format("({:.3f}, {:.3f})", p.x, p.y); }
+
+/// Nothing found: in words.
+PlanningFailure nothing_found(SearchEnd ended, bool at_once, std::int64_t expansions, const Budget& budget, double cell, const std::string& what_fits) {
+  switch (ended) {
+    case SearchEnd::canceled: return failure(Status::canceled, fmt::format("canceled after {}", counted(expansions, "expansion")));
+    case SearchEnd::timed_out:
+      return failure(Status::timed_out, fmt::format("the {:g} s of its budget were over after {}", budget.limits().seconds.value_or(0.0), counted(expansions, "expansion")));
+    case SearchEnd::expansions: return failure(Status::no_path, fmt::format("all {} of its budget were used up before the goal was reached", counted(expansions, "expansion")));
+    case SearchEnd::too_long: return failure(Status::no_path, "the way over the cells is longer than costs of 32 bits can tell");
+    case SearchEnd::unreachable:
+    case SearchEnd::found: break;
+  }
+  const std::string how = at_once ? "known from the connected parts of the free cells, without a search" : fmt::format("all that can be reached was searched, {}", counted(expansions, "expansion"));
+  return failure(Status::no_path, fmt::format("no way over cells of {:g} m leads from start to goal for {}: {}", cell, what_fits, how));
+}
+
+const char* of_neighbours(Neighbours n) {
+  return n == Neighbours::four ? "4 neighbours" : n == Neighbours::eight ? "8 neighbours" : "16 neighbours";
+}
+
+}  // namespace
+
+/// What is known of one problem.
+class GridPlanner::Ready {
+ public:
+  Ready(const Problem& problem, const GridPlannerOptions& options) : problem_{problem} {
+    if (!problem.vehicle().can_turn_on_the_spot()) return;
+    auto frame = make_grid_frame(problem, options.resolution);
+    if (!frame) {
+      refused_ = frame.error();
+      return;
+    }
+    frame_ = *frame;
+    bounds_.emplace(problem, frame_);
+    footprint_ = problem.footprint();
+    // At any angle a footprint has to turn by any angle: the disc around it can, wherever it can stand.
+    if (options.any_angle) footprint_ = {{}, footprint_.radius()};
+    if (footprint_.is_disc()) {
+      graph_ = disc_graph(frame_, *bounds_, options.neighbours, footprint_.disc + lattice_margin(problem));
+      if (!options.any_angle) bounds_.reset();  // settled
+      return;
+    }
+    const std::int64_t states = static_cast<std::int64_t>(frame_.columns) * frame_.rows * static_cast<int>(options.neighbours);
+    if (states > HeadingSpace::most_states) {
+      refused_ = fmt::format("{} x {} cells of {:g} m with {} headings each are {} states, and at most {} are searched: give a coarser resolution or fewer neighbours", frame_.columns,
+                             frame_.rows, frame_.cell, static_cast<int>(options.neighbours), states, HeadingSpace::most_states);
+      return;
+    }
+    headings_.emplace(problem, frame_, *bounds_, options.neighbours, options.costs);
+  }
+  Ready(const Ready&) = delete;
+  Ready& operator=(const Ready&) = delete;
+
+  bool is_for(const Problem& problem) const { return &problem == &problem_; }
+
+  PlanningResult plan(const GridPlannerOptions& options, std::string_view name, Budget& budget) const {
+    if (!problem_.vehicle().can_turn_on_the_spot()) {
+      return tl::unexpected{failure(Status::no_path, fmt::format("{} plans straight lines with turns on the spot, which a tricycle cannot drive", name))};
+    }
+    if (!refused_.empty()) return tl::unexpected{failure(Status::no_path, refused_)};
+    if (budget.exhausted()) return tl::unexpected{nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, 0, budget, 0.0, "")};
+    budget.count_evaluations();
+    if (problem_.start() == problem_.goal()) return tl::unexpected{failure(Status::no_path, "start and goal are the same pose, there is nothing to drive")};
+    MotionCheck test{problem_, footprint_};
+    if (auto direct = direct_way(test)) return explained(std::move(*direct), options, 0, std::nullopt);
+    return headings_ ? plan_headings(options, budget, test) : plan_disc(options, budget, test);
+  }
+
+ private:
+  /// Where start and goal are within two cells the grid would only lead astray.
+  std::optional<Path> direct_way(MotionCheck& test) const {
+    const Pose& start = problem_.start();
+    const Pose& goal = problem_.goal();
+    const double margin = connecting_margin(problem_), way = distance(start.position(), goal.position());
+    if (way > 2.0 * frame_.cell) return std::nullopt;
+    if (way == 0.0) {
+      const double turn = shorter_turn(start.heading, goal.heading);
+      for (const double angle : {turn, turn > 0.0 ? turn - two_pi : turn + two_pi}) {
+        if (test.is_turn_free(start.position(), start.heading, angle, margin)) return path_of(start, {{Action::Kind::turn, angle, {}, 1}}, goal);
+      }
+      return std::nullopt;
+    }
+    const double course = angle_of(goal.position() - start.position());
+    const double first = shorter_turn(start.heading, course), last = shorter_turn(course, goal.heading);
+    if (!test.is_turn_free(start.position(), start.heading, first, margin) || !test.is_drive_free(start.position(), goal.position(), course, margin) ||
+        !test.is_turn_free(goal.position(), course, last, margin)) {
+      return std::nullopt;
+    }
+    return path_of(start, {{Action::Kind::turn, first, {}, 1}, {Action::Kind::drive, 0.0, goal.position(), 1}, {Action::Kind::turn, last, {}, 1}}, goal);
+  }
+
+  PlanningFailure not_connected(bool is_start) const {
+    const Pose& pose = is_start ? problem_.start() : problem_.goal();
+    return failure(Status::no_path,
+                   fmt::format("{} the {} at {} no straight drive {} the middle of a cell of {:g} m around it; try a finer resolution", is_start ? "from" : "to", is_start ? "start" : "goal",
+                               place(pose.position()), is_start ? "leads to" : "leads from", frame_.cell),
+                   pose);
+  }
+
+  PlanningResult plan_disc(const GridPlannerOptions& options, Budget& budget, MotionCheck& test) const {
+    const Pose& start = problem_.start();
+    const Pose& goal = problem_.goal();
+    const auto from = disc_connections(problem_, frame_, start.position(), test), to = disc_connections(problem_, frame_, goal.position(), test);
+    if (from.empty() || to.empty()) return tl::unexpected{not_connected(from.empty())};
+    GridQuery query;
+    for (const DiscConnection& c : from) query.starts.push_back({c.cell, c.length / frame_.cell});
+    for (const DiscConnection& c : to) query.goals.push_back({c.cell, c.length / frame_.cell});
+    query.heuristic = options.heuristic;
+    query.expansions = budget.limits().expansions;
+    query.budget = &budget;
+    const double margin = lattice_margin(problem_);
+    query.is_free = [&](Cell c, int move) {
+      const Move m = moves[static_cast<std::size_t>(move)];
+      return test.is_drive_free(frame_.centre(c), frame_.centre({c.column + m.column, c.row + m.row}), 0.0, margin);
+    };
+    auto search = grids_.lend();
+    const GridAnswer answer = (*search).run(graph_, query);
+    budget.count_expansions(answer.expansions);
+    if (answer.ended != SearchEnd::found) {
+      return tl::unexpected{nothing_found(answer.ended, answer.known_at_once, answer.expansions, budget, frame_.cell,
+                                          fmt::format("{} of {:.3f} m that keeps {:.3f} m", problem_.footprint().is_disc() ? "a disc" : "the disc around the footprint,", footprint_.disc,
+                                                      problem_.required_clearance()))};
+    }
+    if (options.any_angle) return plan_any_angle(options, query, answer, budget);
+    std::vector<Action> actions{{Action::Kind::drive, 0.0, frame_.centre(answer.cells.front()), 1}};
+    for (const Action& a : drives_along(frame_, answer.cells)) actions.push_back(a);
+    return explained(path_of(start, actions, goal), options, answer.expansions, answer.cost * frame_.cell);
+  }
+
+  /// Lazy Theta*, and the grid's way pulled taut: the shorter of the two, so never longer than what `astar` finds.
+  PlanningResult plan_any_angle(const GridPlannerOptions& options, const GridQuery& query, const GridAnswer& on_grid, Budget& budget) const {
+    const Pose& start = problem_.start();
+    const Pose& goal = problem_.goal();
+    const Sight sight{problem_, frame_, *bounds_, footprint_.disc};
+    ThetaQuery any{start.position(), goal.position(), query.starts, query.goals, lattice_margin(problem_), connecting_margin(problem_), {}, &budget, query.is_free};
+    if (query.expansions) any.expansions = *query.expansions - on_grid.expansions;
+    auto search = any_angles_.lend();
+    const ThetaAnswer answer = (*search).run(graph_, frame_, sight, any);
+    budget.count_expansions(answer.expansions);
+    if (answer.ended != SearchEnd::found) {
+      return tl::unexpected{nothing_found(answer.ended, false, budget.expansions(), budget, frame_.cell, fmt::format("a disc of {:.3f} m", footprint_.disc))};
+    }
+    std::vector<Vec2> cells{start.position()};
+    for (const Cell c : on_grid.cells) cells.push_back(frame_.centre(c));
+    cells.push_back(goal.position());
+    const double of_grid = length_of(cells);
+    const auto taut = [&](std::vector<Vec2> points) { return pulled_taut(std::move(points), sight, any.margin, any.end_margin); };
+    const std::vector<Vec2> from_theta = taut(answer.points), from_grid = taut(std::move(cells));
+    const std::vector<Vec2>& points = length_of(from_theta) <= length_of(from_grid) ? from_theta : from_grid;
+    std::vector<Action> actions;
+    for (std::size_t i = 1; i < points.size(); ++i) actions.push_back({Action::Kind::drive, 0.0, points[i], 1});
+    Planned planned = explained(path_of(start, actions, goal), options, budget.expansions(), of_grid);
+    planned.explanation.front() =
+        fmt::format("A way at any angle over {} x {} cells of {:g} m: {:.3f} m with lazy Theta*, {:.3f} m where the shortest way over the cells, {:.3f} m, is pulled taut; the shorter is taken. "
+                    "{} in both searches.",
+                    frame_.columns, frame_.rows, frame_.cell, length_of(from_theta), length_of(from_grid), of_grid, counted(budget.expansions(), "expansion"));
+    if (!problem_.footprint().is_disc()) {
+      planned.explanation.push_back(fmt::format("It was searched for the disc around the footprint, {:.3f} m, which can turn wherever it can stand; astar finds narrower ways.", footprint_.disc));
+    }
+    return planned;
+  }
+
+  PlanningResult plan_headings(const GridPlannerOptions& options, Budget& budget, MotionCheck& test) const {
+    const auto from = heading_connections(problem_, *headings_, problem_.start(), true, test);
+    const auto to = heading_connections(problem_, *headings_, problem_.goal(), false, test);
+    if (from.empty() || to.empty()) return tl::unexpected{not_connected(from.empty())};
+    std::vector<HeadingEnd> starts, goals;
+    for (const HeadingConnection& c : from) starts.push_back({c.state, c.cost});
+    for (const HeadingConnection& c : to) goals.push_back({c.state, c.cost});
+    auto search = in_headings_.lend();
+    const HeadingAnswer answer = (*search).run(*headings_, starts, goals, options.heuristic, budget.limits().expansions, &budget, test);
+    budget.count_expansions(answer.expansions);
+    if (answer.ended != SearchEnd::found) {
+      return tl::unexpected{nothing_found(answer.ended, false, answer.expansions, budget, frame_.cell, fmt::format("the footprint in {} headings", headings_->headings()))};
+    }
+    const auto of = [](const std::vector<HeadingConnection>& all, const HeadingState& state) -> const std::vector<Action>& {
+      const HeadingConnection* best = nullptr;
+      for (const HeadingConnection& c : all) {
+        if (c.state.cell == state.cell && c.state.heading == state.heading && (best == nullptr || c.cost < best->cost)) best = &c;
+      }
+      return best->actions;
+    };
+    std::vector<Action> actions = of(from, answer.first);
+    for (const Action& a : actions_along(*headings_, answer)) actions.push_back(a);
+    for (const Action& a : of(to, answer.last)) actions.push_back(a);
+    return explained(path_of(problem_.start(), actions, problem_.goal()), options, answer.expansions, answer.cost);
+  }
+
+  Planned explained(Path path, const GridPlannerOptions& options, std::int64_t expansions, std::optional<double> cost) const {
+    Planned planned;
+    const double metres = length(path), straight = distance(problem_.start().position(), problem_.goal().position());
+    const Turning turning = turning_of(path);
+    std::vector<std::string>& text = planned.explanation;
+    if (cost) {
+      const bool is_least = never_too_much(options.heuristic, options.neighbours);
+      std::string what = is_least ? (headings_ ? "The least costly way" : "The shortest way") : "A way";
+      what += fmt::format(" over {} x {} cells of {:g} m with {}{}: {:.3f} m", frame_.columns, frame_.rows, frame_.cell, of_neighbours(options.neighbours),
+                          headings_ ? " and as many headings" : "", *cost);
+      if (headings_) {
+        what += fmt::format(", where a radian of turning counts as {:g} m", options.costs.turn);
+        what += options.costs.reverse > 0.0 ? fmt::format(" and a metre backwards as {:g} m", options.costs.reverse) : std::string{" and it never drives backwards"};
+      }
+      what += fmt::format("; {} with {}", counted(expansions, "expansion"),
+                          options.heuristic == Heuristic::none ? std::string{"no heuristic"} : fmt::format("the heuristic {}", to_string(options.heuristic)));
+      text.push_back(what + (is_least ? "." : ", which may expect too much, so that a better way may have been missed."));
+    } else {
+      text.push_back(fmt::format("Start and goal are within two cells of {:g} m: the way is straight, without a search.", frame_.cell));
+    }
+    text.push_back(fmt::format("It is {:.3f} m long, the straight line from start to goal {:.3f} m, less than which no way can be; it turns on the spot {}, {:.1f}° in all.", metres, straight,
+                               turning.turns == 1 ? std::string{"once"} : fmt::format("{} times", turning.turns), turning.angle * 180.0 / pi));
+    text.push_back(fmt::format("Each move was tested against the exact outlines, with {:.1f} mm to spare beyond the {:.4f} m that are required; the cells cost no clearance, but ways that "
+                               "lead between their middles are not seen: a passage has to be up to a cell, {:g} m, wider than what just fits.",
+                               (lattice_margin(problem_) - problem_.required_clearance()) * 1e3, problem_.required_clearance(), frame_.cell));
+    planned.path = std::move(path);
+    return planned;
+  }
+
+  const Problem& problem_;
+  std::string refused_;
+  GridFrame frame_;
+  std::optional<CellBounds> bounds_;
+  Footprint footprint_;                   ///< that is searched for
+  GridGraph graph_;                       ///< of a disc
+  std::optional<HeadingSpace> headings_;  ///< of other footprints
+  mutable Pool<GridSearch> grids_;
+  mutable Pool<HeadingSearch> in_headings_;
+  mutable Pool<ThetaSearch> any_angles_;
+};
+
+GridPlanner GridPlanner::prepared(const Problem& problem) const {
+  GridPlanner planner = *this;
+  planner.ready_ = std::make_shared<const Ready>(problem, options_);
+  return planner;
+}
+
+PlanningResult GridPlanner::plan(const Problem& problem, Budget& budget) const {
+  if (ready_ && ready_->is_for(problem)) return ready_->plan(options_, name_, budget);
+  return Ready{problem, options_}.plan(options_, name_, budget);
+}
+
+}  // namespace waywright

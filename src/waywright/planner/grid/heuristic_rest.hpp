@@ -1,0 +1,58 @@
+// A heuristic towards several ends at once: towards the first of them, less what keeps it under the way to any.
+#pragma once
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "waywright/planner/grid/grid_graph.hpp"
+
+namespace waywright {
+
+class HeuristicRest {
+ public:
+  HeuristicRest(Neighbours neighbours, const MoveWeights& weights, Heuristic heuristic) : neighbours_{neighbours}, weights_{weights}, heuristic_{heuristic} {}
+
+  /// Cells and what lies behind each. @pre not empty
+  void aim_at(const std::vector<std::pair<Cell, std::uint32_t>>& ends) {
+    middle_ = ends.front().first;
+    for (const auto& [cell, behind] : ends) {
+      low_ = {std::min(low_.column, cell.column), std::min(low_.row, cell.row)};
+      high_ = {std::max(high_.column, cell.column), std::max(high_.row, cell.row)};
+      const std::uint32_t way = towards_middle(cell);
+      less_ = std::max(less_, way > behind ? way - behind : 0);
+    }
+  }
+  std::uint32_t at(Cell c) const {
+    const std::uint32_t value = towards_middle(c);
+    return value > less_ ? value - less_ : 0;
+  }
+  bool may_be_end(Cell c) const { return c.column >= low_.column && c.column <= high_.column && c.row >= low_.row && c.row <= high_.row; }
+
+ private:
+  std::uint32_t towards_middle(Cell c) const {
+    const int columns = c.column - middle_.column, rows = c.row - middle_.row;
+    switch (heuristic_) {
+      case Heuristic::none: return 0;
+      case Heuristic::free_way: return free_way(neighbours_, weights_, columns, rows);
+      case Heuristic::octile: return free_way(Neighbours::eight, weights_, columns, rows);
+      case Heuristic::manhattan: return free_way(Neighbours::four, weights_, columns, rows);
+      case Heuristic::chebyshev: return static_cast<std::uint32_t>(std::max(std::abs(columns), std::abs(rows))) * weights_.scale;
+      case Heuristic::euclidean: {
+        constexpr double under = 1.0 - 0x1p-20;  // never over a sum of weights
+        const double squared = static_cast<double>(static_cast<std::int64_t>(columns) * columns + static_cast<std::int64_t>(rows) * rows);
+        return static_cast<std::uint32_t>(under * weights_.scale * std::sqrt(squared));
+      }
+    }
+    return 0;
+  }
+
+  Neighbours neighbours_;
+  MoveWeights weights_;
+  Heuristic heuristic_;
+  Cell middle_{};
+  Cell low_{GridGraph::longest_side, GridGraph::longest_side}, high_{-1, -1};
+  std::uint32_t less_ = 0;
+};
+
+}  // namespace waywright
