@@ -16,6 +16,19 @@ namespace {
 
 using bench::Clutter;
 
+yardstick::Hall hall_of(const Scenario& s) {
+  const auto polygon_of = [](const Ring& ring) {
+    yardstick::Polygon polygon;
+    for (const Vec2 p : ring) polygon.emplace_back(p.x, p.y);
+    return polygon;
+  };
+  yardstick::Hall hall;
+  hall.footprint = polygon_of(s.vehicle.footprint.polygon);
+  hall.objects.push_back(polygon_of(s.map.boundaries.front()));
+  for (const Ring& ring : s.map.obstacles) hall.objects.push_back(polygon_of(ring));
+  return hall;
+}
+
 struct Verdicts {
   int free = 0;       ///< both
   int hit = 0;        ///< both
@@ -91,15 +104,7 @@ TEST(Yardstick, SaysTheSameOfDistancesAlongTrajectories) {
     s.vehicle.drive = Differential{0.45};
     s.mission = Pose{1, 0, 0};
     const Problem problem = Problem::prepare(s).value();
-    yardstick::Hall hall;
-    const auto add = [](const Ring& ring) {
-      yardstick::Polygon polygon;
-      for (const Vec2 p : ring) polygon.emplace_back(p.x, p.y);
-      return polygon;
-    };
-    hall.footprint = add(s.vehicle.footprint.polygon);
-    hall.objects.push_back(add(s.map.boundaries.front()));
-    for (const Ring& ring : s.map.obstacles) hall.objects.push_back(add(ring));
+    const yardstick::Hall hall = hall_of(s);
     std::vector<Pose> poses;
     std::vector<yardstick::Pose> plain;
     for (int i = 0; i < 100; ++i) {
@@ -154,15 +159,7 @@ TEST(Yardstick, CandidatesThroughWaypointsCostTheSame) {
     s.mission = Pose{22, 8, 0};
     s.waypoints = {{8, random.uniform(7, 9)}, {15, random.uniform(7, 9)}};
     const Problem problem = Problem::prepare(s).value();
-    yardstick::Hall hall;
-    const auto add = [](const Ring& ring) {
-      yardstick::Polygon polygon;
-      for (const Vec2 p : ring) polygon.emplace_back(p.x, p.y);
-      return polygon;
-    };
-    hall.footprint = add(s.vehicle.footprint.polygon);
-    hall.objects.push_back(add(s.map.boundaries.front()));
-    for (const Ring& ring : s.map.obstacles) hall.objects.push_back(add(ring));
+    const yardstick::Hall hall = hall_of(s);
     WaypointOptions options;
     options.objective = WaypointObjective::pwavg;
     options.continuity = Continuity::g1;
