@@ -121,11 +121,25 @@ TEST_F(CommandLine, VerifyFindsWhatWasTamperedWith) {
   EXPECT_EQ(verdict([](Json& j) { j["path"]["samples"]["speed"][50] = 9.0; }).status, 1);
   EXPECT_EQ(verdict([](Json& j) { j["path"]["pieces"][0]["spans"][0][2][1] = 6.0; }).status, 1);
   EXPECT_EQ(verdict([](Json& j) { j["metrics"]["length"] = 3.0; }).status, 1);
+  for (const char* status : {"unproven", "no_path", "start_in_collision"}) EXPECT_EQ(verdict([&](Json& j) { j["status"] = status; }).status, 1) << status;
   EXPECT_EQ(verdict([](Json& j) { j["scenario"]["clearance"] = 0.095; }).status, 1);
   EXPECT_EQ(verdict([](Json& j) { j["scenario"]["map"]["polygons"]["obstacles"].push_back({{5, 3}, {6, 3}, {6, 4}}); }).status, 1);
   EXPECT_EQ(verdict([](Json& j) { j["path"]["pieces"][0]["kind"] = "loop"; }).status, 2);
   EXPECT_EQ(verdict([](Json& j) { j.erase("scenario"); }).status, 2);
   EXPECT_EQ(verdict([](Json& j) { j["path"]["samples"]["x"].erase(3); }).status, 2);
+}
+
+TEST_F(CommandLine, ASettingIsGivenOnce) {
+  const std::string waypoints = example("waypoints_low.json");
+  for (const std::string& command : {"plan " + waypoints, "pareto " + waypoints, "compare " + waypoints, "check " + waypoints}) {
+    const Outcome twice = run(command + " --set margin=0.02 --set margin=0.03 -o twice");
+    EXPECT_EQ(twice.status, 2) << command;
+    EXPECT_NE(twice.err.find("--set margin: it is given twice (allowed: each KEY once)"), std::string::npos) << twice.err;
+    EXPECT_FALSE(fs::exists(folder_ / "twice"));
+  }
+  const Outcome same = run("compare " + waypoints + " --set objective=metres,metres -o twice");
+  EXPECT_EQ(same.status, 2);
+  EXPECT_NE(same.err.find("\"metres\" is named twice"), std::string::npos) << same.err;
 }
 
 TEST_F(CommandLine, ReplanTakesOverWhileAPlanIsDriven) {

@@ -47,6 +47,7 @@ tl::unexpected<InputError> no_layout(const fs::path& file) {
 
 /// --set goes to every place whose planner has the parameter; one that no planner has is refused.
 Parsed<void> apply_settings(const std::vector<std::string>& settings, std::vector<Place>& places) {
+  if (auto once = check_each_key_once(settings); !once) return once;
   for (const std::string& setting : settings) {
     const std::string key = setting.substr(0, setting.find('='));
     bool used = false;

@@ -108,6 +108,7 @@ Parsed<std::vector<Contestant>> named_contestants(const std::string& list, const
 /// KEY=A,B makes one contestant of each value, of every planner that has the parameter.
 Parsed<std::vector<Contestant>> with_settings(std::vector<Contestant> contestants,
                                               const std::vector<std::string>& settings) {
+  if (auto once = check_each_key_once(settings); !once) return tl::unexpected{once.error()};
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0) {
@@ -118,6 +119,10 @@ Parsed<std::vector<Contestant>> with_settings(std::vector<Contestant> contestant
     const auto values = split(setting.substr(equals + 1), ',');
     if (values.empty())
       return tl::unexpected{InputError{"", "--set " + key, "it names no value", "KEY=VALUE or KEY=A,B"}};
+    for (auto value = values.begin(); value != values.end(); ++value) {
+      if (std::find(values.begin(), value, *value) != value)
+        return tl::unexpected{InputError{"", "--set " + key, fmt::format("\"{}\" is named twice", *value), "each value once; --runs repeats them"}};
+    }
     std::vector<Contestant> more;
     bool used = false;
     for (const Contestant& contestant : contestants) {

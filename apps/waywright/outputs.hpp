@@ -22,6 +22,9 @@ Parsed<void> prepare_folder_of(const std::filesystem::path& file);
 /// --planner, --set and --seed go into the scenario, so that the plan file holds what was used.
 Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario);
 
+/// Each KEY of --set once: the last one would win in silence.
+Parsed<void> check_each_key_once(const std::vector<std::string>& settings);
+
 /// Refuses --set evaluations=… where the budget names evaluations, which come before the planner's.
 Parsed<void> check_no_budget_over(const std::string& setting, const BudgetLimits& budget);
 

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <set>
+
 #include "outputs.hpp"
 #include "waywright/io/plan_io.hpp"
 #include "waywright/planner/registry.hpp"
@@ -14,7 +16,17 @@ Parsed<void> check_no_budget_over(const std::string& setting, const BudgetLimits
                                    "no --set evaluations, or a scenario without budget.evaluations"}};
 }
 
+Parsed<void> check_each_key_once(const std::vector<std::string>& settings) {
+  std::set<std::string> keys;
+  for (const std::string& setting : settings) {
+    const std::string key = setting.substr(0, setting.find('='));
+    if (!keys.insert(key).second) return tl::unexpected{InputError{"", "--set " + key, "it is given twice", "each KEY once"}};
+  }
+  return {};
+}
+
 Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario) {
+  if (auto once = check_each_key_once(arguments.set); !once) return once;
   if (!arguments.planner.empty() && arguments.planner != scenario.planner.name) {
     scenario.planner = {arguments.planner, {}};  // another planner has other parameters
   }

@@ -24,7 +24,11 @@ Parsed<Verification> verify(const Plan& plan) {
   const Plan& fresh = verification.fresh;
   std::vector<std::string>& findings = verification.findings;
   if (auto ends = problem->check_ends()) findings.push_back(ends->reason);
-  if (fresh.status != Status::solved) findings.push_back(fresh.reason);
+  if (fresh.status != Status::solved) {
+    findings.push_back(fresh.reason);
+  } else if (plan.status != Status::solved) {
+    findings.push_back(fmt::format("the plan says that it is {}, though its path can be proven", to_string(plan.status)));
+  }
   if (!fresh.samples.empty()) {
     check_claimed_samples(plan.samples, fresh.samples, problem->vehicle(), problem->footprint().radius(), fresh.certificate.tolerance, findings);
     check_claimed_metrics(plan, fresh, findings);
