@@ -136,7 +136,7 @@ class Scene {
     if (others_)
       entries.push_back(
           {"alt", Shape::line,
-           plan_.samples.empty() ? "tried in vain, as far as it came" : "the best that was not taken"});
+           plan_.samples.empty() ? "tried in vain, as far as it came" : "what was not taken"});
     if (blocked_) entries.push_back({"hit", Shape::box, "where it touches or comes too near"});
     if (tight_)
       entries.push_back(
@@ -191,11 +191,10 @@ class Scene {
       std::vector<Vec2> points;
       for (const Pose& p : a.poses) points.push_back(p.position());
       svg_.polyline(points, "alt");
-      const bool side = a.zone.size() >= 3;
       const std::string text = a.was_driven ? a.name
                                : !a.cost    ? a.name + ": no way"
-                               : side  ? fmt::format("{}: cost {:.3f}", a.name, *a.cost)
-                                       : fmt::format("{}: {:.2f} m", a.name, *a.cost);
+                               : is_cost_length(plan_, a) ? fmt::format("{}: {:.2f} m", a.name, *a.cost)
+                                                          : fmt::format("{}: cost {:.3f}", a.name, *a.cost);
       const Vec2 at = calm_point(points, busy);
       label_beside(svg_, canvas_, at, {1.0, 0.0}, {text, "note"});
       busy.push_back(at);
@@ -238,7 +237,7 @@ class Scene {
     const Vec2 away{c.tightest_point.x - on.x, on.y - c.tightest_point.y - 1e-3 * from_middle.y};
     const bool second_line = c.collision_free && problem_.pose_error_margin() > 0.0;
     label_beside(svg_, canvas_, c.tightest_point, away,
-                 {gap > 0.0 ? fmt::format("{:.1f} mm", 1000.0 * gap) : "touches", "tighttext",
+                 {c.collision_free && !second_line ? fmt::format("{:.1f} mm proven", 1000.0 * c.clearance) : gap > 0.0 ? fmt::format("{:.1f} mm", 1000.0 * gap) : "touches", "tighttext",
                   second_line ? fmt::format("{:.1f} with pose error", 1000.0 * c.clearance) : ""});
     if (const auto spot = c.collision_free ? tightest_off_straight(problem_, plan_) : std::nullopt) {
       off_straight_ = true;

@@ -196,14 +196,14 @@ std::string alternatives_table(const Plan& plan) {
   if (plan.alternatives.empty()) return {};
   const bool any = std::any_of(plan.alternatives.begin(), plan.alternatives.end(),
                                [](const Alternative& a) { return a.cost.has_value(); });
+  const bool is_length = std::all_of(plan.alternatives.begin(), plan.alternatives.end(), [&](const Alternative& a) { return is_cost_length(plan, a); });
   std::string out =
       fmt::format("<h2>What was tried</h2>\n<table><tr><th>alternative</th>{}<th>outcome</th></tr>\n",
-                  any ? "<th>cost, or length</th>" : "");
+                  any ? is_length ? "<th>length</th>" : "<th>cost</th>" : "");
   for (const Alternative& a : plan.alternatives) {
-    // Only beside a shelf there is a cost without a unit; a general planner counts metres.
-    const std::string cost = !a.cost              ? "–"
-                             : a.zone.size() >= 3 ? fmt::format("{:.4f}", *a.cost)
-                                                  : fmt::format("{:.2f} m", *a.cost);
+    const std::string cost = !a.cost                   ? "–"
+                             : is_cost_length(plan, a) ? fmt::format("{:.2f} m", *a.cost)
+                                                       : fmt::format("{:.4f}", *a.cost);
     out += fmt::format("<tr{}><th scope=\"row\">{}{}</th>{}<td>{}</td></tr>\n",
                        a.chosen ? " class=\"chosen\"" : "", escaped(a.name), a.chosen ? " (taken)" : "",
                        any ? "<td class=\"number\">" + cost + "</td>" : "", escaped(a.outcome));

@@ -131,8 +131,10 @@ PlanningResult WaypointClothoidPlanner::plan(const Problem& problem, Budget& bud
   planned.alternatives.push_back({"courses chosen", true, answer.evaluation.objective, limits_sentence(problem, chain, options_.continuity), picture_of(chain), {}});
   if (waypoints > 0) {
     if (const auto plain = candidates.chain_at(middle)) {
-      Alternative alternative{"courses halfway", false, std::nullopt, "The courses halfway between those to and from each waypoint.", picture_of(*plain), {}};
-      if (!(of_middle.violation > 0.0)) alternative.cost = of_middle.objective;
+      const bool is_feasible = !(of_middle.violation > 0.0);
+      const std::string outcome = is_feasible ? "What the search begins with." : "What the search begins with: it " + refusal_of(problem, candidates, *plain).why + ".";
+      Alternative alternative{"courses halfway", false, std::nullopt, outcome, picture_of(*plain), {}};
+      if (is_feasible) alternative.cost = of_middle.objective;
       planned.alternatives.push_back(std::move(alternative));
     }
   }

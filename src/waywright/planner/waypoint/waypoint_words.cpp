@@ -59,23 +59,26 @@ std::vector<Pose> picture_of(const Clothoids& chain) {
   return poses;
 }
 
+Refusal refusal_of(const Problem& problem, WaypointCandidates& candidates, const Clothoids& chain) {
+  if (candidates.is_beyond_limits(chain)) {
+    return {fmt::format("bends with {:.4f} 1/m, changing by {:.4f} 1/m² at most, which the vehicle cannot", greatest_curvature(chain), greatest_curvature_rate(chain)), {}};
+  }
+  const WaypointCandidates::Tightest tightest = candidates.tightest_of(chain);
+  const Contact& contact = tightest.contact;
+  const std::string obstacle = problem.world().source_name(contact.source);
+  const std::string place = fmt::format("{} at ({:.3f}, {:.3f})", obstacle, contact.point.x, contact.point.y);
+  if (contact.clearance <= 0.0) return {"touches " + place, tightest};
+  if (contact.clearance >= problem.required_clearance()) return {"comes too near to something between the poses looked at, near " + place, tightest};
+  return {fmt::format("comes as near as {:.4f} m to {}, and {:.4f} m are required", contact.clearance, place, problem.required_clearance()), tightest};
+}
+
 PlanningFailure failure_of(const Problem& problem, WaypointCandidates& candidates, const Clothoids& chain, std::int64_t looked, const Budget& budget) {
   PlanningFailure failure;
   failure.failure.status = status_of(budget);
-  std::string why;
-  const WaypointCandidates::Tightest tightest = candidates.tightest_of(chain);
-  if (!candidates.is_beyond_limits(chain)) {
-    const std::string obstacle = problem.world().source_name(tightest.contact.source);
-    why = tightest.contact.clearance >= problem.required_clearance() && tightest.contact.clearance > 0.0
-              ? fmt::format("comes too near to something between the poses looked at, near {} at ({:.3f}, {:.3f})", obstacle, tightest.contact.point.x, tightest.contact.point.y)
-          : tightest.contact.clearance > 0.0
-              ? fmt::format("comes as near as {:.4f} m to {} at ({:.3f}, {:.3f}), and {:.4f} m are required", tightest.contact.clearance, obstacle, tightest.contact.point.x,
-                            tightest.contact.point.y, problem.required_clearance())
-              : fmt::format("touches {} at ({:.3f}, {:.3f})", obstacle, tightest.contact.point.x, tightest.contact.point.y);
-    failure.failure.pose = tightest.pose;
-    failure.failure.point = tightest.contact.point;
-  } else {
-    why = fmt::format("bends with {:.4f} 1/m, changing by {:.4f} 1/m² at most, which the vehicle cannot", greatest_curvature(chain), greatest_curvature_rate(chain));
+  const auto [why, tightest] = refusal_of(problem, candidates, chain);
+  if (tightest) {
+    failure.failure.pose = tightest->pose;
+    failure.failure.point = tightest->contact.point;
   }
   const std::size_t waypoints = problem.scenario().waypoints.size();
   const char* through = waypoints == 0 ? "from start to goal" : waypoints == 1 ? "through the waypoint" : "through the waypoints";

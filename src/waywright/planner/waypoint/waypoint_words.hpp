@@ -29,6 +29,13 @@ std::vector<Pose> picture_of(const Clothoids& chain);
 /// A waypoint that has to be met where nothing can be: no search would help.
 std::optional<PlanningFailure> blocked_waypoint(const Problem& problem);
 
+/// Why a chain that is not feasible cannot be driven: "touches obstacle 8 at (8.700, 1.900)"; and where, if it is at one place.
+struct Refusal {
+  std::string why;
+  std::optional<WaypointCandidates::Tightest> where;
+};
+Refusal refusal_of(const Problem& problem, WaypointCandidates& candidates, const Clothoids& chain);
+
 /// Why the best of the candidates looked at cannot be driven.
 PlanningFailure failure_of(const Problem& problem, WaypointCandidates& candidates, const Clothoids& chain, std::int64_t looked, const Budget& budget);
 
