@@ -48,16 +48,50 @@ Candidate segment_to_segment(Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1) {
   return best;
 }
 
-/// As good as a rectangle: what it is off by is rounding of coordinates up to `extent`. The distances are off by no more than twice that.
+/// As good as a rectangle: what it is off by is rounding of coordinates up to `extent`, across its short side too. Distances are off by no more than
+/// twice that.
 bool is_rectangle(const segment_lanes::Edge* edge, double extent) {
   const double by = 6e-16 * extent;
   const segment_lanes::Edge &e = edge[0], &f = edge[1], &g = edge[2], &h = edge[3];
   const auto are_opposite = [by](double a, double b) { return std::abs(a + b) <= by; };
-  const double sides = std::abs(e.along_x) + std::abs(e.along_y) + std::abs(f.along_x) + std::abs(f.along_y);
+  const double least = std::min(std::max(std::abs(e.along_x), std::abs(e.along_y)), std::max(std::abs(f.along_x), std::abs(f.along_y)));
   return are_opposite(e.along_x, g.along_x) && are_opposite(e.along_y, g.along_y) && are_opposite(f.along_x, h.along_x) &&
-         are_opposite(f.along_y, h.along_y) && std::abs(e.along_x * f.along_x + e.along_y * f.along_y) <= by * sides && std::abs(e.along_x) + std::abs(e.along_y) > by &&
-         std::abs(f.along_x) + std::abs(f.along_y) > by;
+         are_opposite(f.along_y, h.along_y) && std::abs(e.along_x * f.along_x + e.along_y * f.along_y) <= by * least && least > by;
 }
+
+/// Turns left only, once round; edges without length do not count.
+bool is_convex_outline(std::span<const Vec2> ring) {
+  const std::size_t n = ring.size();
+  Vec2 first{}, before{};
+  bool turns = false;
+  int changes = 0;            // of the direction along x
+  double sign = 0.0, first_sign = 0.0;
+  const auto is_fine = [&](Vec2 d) {
+    const double turn = cross(before, d);
+    turns = turns || turn > 0.0;
+    return turn > 0.0 || (turn == 0.0 && dot(before, d) > 0.0);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 d = ring[i + 1 < n ? i + 1 : 0] - ring[i];
+    if (d == Vec2{}) continue;
+    if (before == Vec2{}) {
+      first = d;
+    } else if (!is_fine(d)) {
+      return false;
+    }
+    before = d;
+    if (d.x == 0.0) continue;
+    const double own = d.x > 0.0 ? 1.0 : -1.0;
+    if (first_sign == 0.0) first_sign = own;
+    changes += sign != 0.0 && own != sign ? 1 : 0;
+    sign = own;
+  }
+  changes += sign != first_sign ? 1 : 0;
+  return before != Vec2{} && is_fine(first) && turns && changes <= 2;
+}
+
+/// A limit's square, which is not 0 where the limit is not.
+double squared_limit(double limit) { return std::max(limit * limit, std::numeric_limits<double>::min()); }
 
 /// Where a segment is nearest to a ring's area.
 Vec2 nearest_on(const Segment& s, std::span<const Vec2> ring) {
@@ -104,14 +138,7 @@ void make_ready(std::span<const Vec2> ring, segment_lanes::Outline& outline) {
     const double squared = squared_norm(d);
     outline.ready[i] = {ring[i].x, ring[i].y, d.x, d.y, squared > 0.0 ? 1.0 / squared : 0.0};
   }
-  // A ring without area has no inside.
-  bool turns_left = false, turns_right = corners < 3;
-  for (std::size_t i = 0; i < edges && !turns_right; ++i) {
-    const double turn = cross(along(i), along(i + 1 < corners ? i + 1 : 0));
-    turns_left = turns_left || turn > 0.0;
-    turns_right = !(turn >= 0.0);
-  }
-  outline.shape = turns_left && !turns_right ? Shape::convex : Shape::any;
+  outline.shape = corners >= 3 && is_convex_outline(ring) ? Shape::convex : Shape::any;  // a ring without area has no inside
   if (corners != 4 || outline.shape != Shape::convex) return;
   const double extent = std::max(std::max(std::abs(outline.low_x), std::abs(outline.high_x)), std::max(std::abs(outline.low_y), std::abs(outline.high_y)));
   if (is_rectangle(outline.ready, extent)) outline.shape = Shape::rectangle;
@@ -218,7 +245,7 @@ Nearest ObstacleIndex::nearest(std::span<const Vec2> ring, double limit, std::si
   Nearest answer;
   answer.distance = limit;
   if (nodes_.empty() || ring.empty() || !(limit > 0.0)) return answer;
-  const segment_lanes::Found found = find(ring, limit * limit, without, false);
+  const segment_lanes::Found found = find(ring, squared_limit(limit), without, false);
   if (found.segment == segment_lanes::none) return answer;
   const Segment& s = segments_[found.segment];
   return {std::sqrt(found.squared), nearest_on(s, ring), s.source, true};
@@ -226,13 +253,13 @@ Nearest ObstacleIndex::nearest(std::span<const Vec2> ring, double limit, std::si
 
 double ObstacleIndex::distance(std::span<const Vec2> ring, double limit, std::size_t without) const {
   if (nodes_.empty() || ring.empty() || !(limit > 0.0)) return limit;
-  const segment_lanes::Found found = find(ring, limit * limit, without, false);
+  const segment_lanes::Found found = find(ring, squared_limit(limit), without, false);
   return found.segment == segment_lanes::none ? limit : std::sqrt(found.squared);
 }
 
 double ObstacleIndex::distance(const segment_lanes::Outline& outline, double limit, std::uint32_t& hint) const {
   if (nodes_.empty() || !(limit > 0.0)) return limit;
-  const segment_lanes::Found found = kernels().nearest(tree(), outline, limit * limit, segment_lanes::none, false, hint);
+  const segment_lanes::Found found = kernels().nearest(tree(), outline, squared_limit(limit), segment_lanes::none, false, hint);
   if (found.segment == segment_lanes::none) return limit;
   hint = found.segment;
   return std::sqrt(found.squared);
@@ -242,7 +269,7 @@ bool ObstacleIndex::is_clear(std::span<const Vec2> ring, double margin) const {
   if (nodes_.empty() || ring.empty()) return true;
   // "≤ margin is a hit": look just beyond the margin.
   const double limit = std::nextafter(std::max(margin, 0.0), std::numeric_limits<double>::infinity());
-  const double squared = margin > 0.0 ? limit * limit : std::numeric_limits<double>::min();
+  const double squared = squared_limit(limit);
   return find(ring, squared, segment_lanes::none, true).segment == segment_lanes::none;
 }
 

@@ -64,10 +64,18 @@ double brute_force(const std::vector<Segment>& segments, const Ring& ring, std::
 
 TEST(SegmentLanes, EveryInstructionSetFindsTheSameBits) {
   Random random{1};
-  for (int round = 0; round < 60; ++round) {
-    const ObstacleIndex index{random_segments(random, 30, 20, 10)};
+  for (int round = 0; round < 90; ++round) {
+    auto segments = random_segments(random, 30, 20, 10);
+    if (round % 3 == 0) {  // on a lattice: many are equally far
+      for (Segment& s : segments) {
+        s.a = {0.1 * std::round(10.0 * s.a.x), 0.1 * std::round(10.0 * s.a.y)};
+        s.b = {0.1 * std::round(10.0 * s.b.x), 0.1 * std::round(10.0 * s.b.y)};
+      }
+    }
+    const ObstacleIndex index{segments};
     for (int i = 0; i < 60; ++i) {
-      const Ring ring = random_outline(random, i % kinds);
+      Ring ring = random_outline(random, i % kinds);
+      if (round % 3 == 0) ring = rectangle({0.1 * static_cast<double>(random.integer(-60, 0)), 0.1 * static_cast<double>(random.integer(-60, 0))}, {0.1 * static_cast<double>(random.integer(1, 40)), 0.1 * static_cast<double>(random.integer(1, 40))});
       segment_lanes::Outline outline;
       make_ready(ring, outline);
       const double limit = random.uniform(0.1, 5.0);
@@ -75,6 +83,32 @@ TEST(SegmentLanes, EveryInstructionSetFindsTheSameBits) {
       const segment_lanes::Found first = segment_lanes::available().front().nearest(index.tree(), outline, limit, segment_lanes::none, false, hint);
       for (const Kernels& k : segment_lanes::available()) {
         const segment_lanes::Found found = k.nearest(index.tree(), outline, limit, segment_lanes::none, false, hint);
+        EXPECT_EQ(found.squared, first.squared) << k.name;
+        EXPECT_EQ(found.segment, first.segment) << k.name;
+      }
+    }
+  }
+}
+
+/// Walls of a lattice, many of them equally far but for rounding.
+TEST(SegmentLanes, NearTiesEndTheSameWay) {
+  Random random{8};
+  const auto whole = [&](long low, long high) { return 0.1 * static_cast<double>(random.integer(low, high)); };
+  for (int round = 0; round < 300; ++round) {
+    std::vector<Segment> segments;
+    for (std::uint32_t i = 0; i < 100; ++i) {
+      const Vec2 a{whole(-60, 60), whole(-60, 60)};
+      segments.push_back({a, a + (i % 2 == 0 ? Vec2{0.0, whole(1, 40)} : Vec2{whole(1, 40), 0.0}), i});
+    }
+    const ObstacleIndex index{segments};
+    for (int i = 0; i < 60; ++i) {
+      const Vec2 low{whole(-60, 60), whole(-60, 60)};
+      const Ring ring = rectangle(low, low + Vec2{whole(1, 9), whole(1, 9)});
+      segment_lanes::Outline outline;
+      make_ready(ring, outline);
+      const segment_lanes::Found first = segment_lanes::available().front().nearest(index.tree(), outline, 100.0, segment_lanes::none, false, segment_lanes::none);
+      for (const Kernels& k : segment_lanes::available()) {
+        const segment_lanes::Found found = k.nearest(index.tree(), outline, 100.0, segment_lanes::none, false, segment_lanes::none);
         EXPECT_EQ(found.squared, first.squared) << k.name;
         EXPECT_EQ(found.segment, first.segment) << k.name;
       }
@@ -141,6 +175,88 @@ TEST(ObstacleIndex, IsExactForRingsWithoutArea) {
   EXPECT_NEAR(index.distance(Ring{{0, 0}, {1, 0}, {1, 0}, {0, 0}}, 9.0), 1.0, 1e-15);
   EXPECT_NEAR(index.distance(Ring{{0, 0}, {0, 0}, {0, 0}, {0, 0}}, 9.0), std::sqrt(1.25), 1e-15);
   EXPECT_EQ(index.distance(Ring{{0, 1.5}, {1, 1.5}, {1, 1.5}, {0, 1.5}}, 9.0), 0.0);
+}
+
+struct Whole {
+  long x, y;
+};
+
+/// Inside by whole numbers; points on edges are left out by the caller.
+bool is_inside(const std::vector<Whole>& ring, Whole p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Whole a = ring[i], b = ring[(i + 1) % ring.size()];
+    if ((a.y > p.y) == (b.y > p.y)) continue;
+    const long left = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    inside ^= (left > 0) == (b.y > a.y);
+  }
+  return inside;
+}
+
+/// Points level with corners, in decimetres that have no exact binary form: rays through corners are counted once.
+TEST(ObstacleIndex, PointsLevelWithCornersOfConcaveOutlinesAreInOrOut) {
+  Random random{6};
+  const auto metres = [](Whole w) { return Vec2{0.1 * static_cast<double>(w.x), 0.1 * static_cast<double>(w.y)}; };
+  int insides = 0, outsides = 0;
+  for (int round = 0; round < 40'000; ++round) {
+    const long a = random.integer(1, 6), b = random.integer(1, 6), c = random.integer(1, 6), d = random.integer(1, 6);
+    const std::vector<Whole> ell{{-a, -d}, {b, -d}, {b, c}, {0, c}, {0, c + d}, {-a, c + d}};
+    const std::vector<Whole> u{{-a, -b}, {a + c, -b}, {a + c, d}, {c, d}, {c, 0}, {0, 0}, {0, d}, {-a, d}};
+    const std::vector<Whole>& body = round % 2 == 0 ? ell : u;
+    const Whole at{random.integer(-60, 60), random.integer(-60, 60)};
+    const Whole p{random.integer(-12, 12), body[static_cast<std::size_t>(random.integer(0, static_cast<long>(body.size()) - 1))].y};
+    bool is_on_edge = false;
+    for (std::size_t i = 0; i < body.size(); ++i) {
+      const Whole e = body[i], f = body[(i + 1) % body.size()];
+      is_on_edge |= (f.x - e.x) * (p.y - e.y) == (f.y - e.y) * (p.x - e.x) && p.x >= std::min(e.x, f.x) && p.x <= std::max(e.x, f.x) && p.y >= std::min(e.y, f.y) &&
+                    p.y <= std::max(e.y, f.y);
+    }
+    if (is_on_edge) continue;
+    Ring ring, placed;
+    for (const Whole w : body) {
+      ring.push_back(metres(w));
+      placed.push_back(metres({w.x + at.x, w.y + at.y}));
+    }
+    const Vec2 point = metres({p.x + at.x, p.y + at.y});
+    const ObstacleIndex index{{{point, point, 0}}};
+    MovingOutline moving{ring};
+    moving.place({metres(at).x, metres(at).y, 0.0}, 0.0, 1.0);
+    const bool inside = is_inside(body, p);
+    (inside ? insides : outsides) += 1;
+    EXPECT_EQ(index.distance(placed, 9.0) == 0.0, inside) << round;
+    EXPECT_EQ(moving.distance(index, 9.0) == 0.0, inside) << round;
+    EXPECT_EQ(index.is_clear(placed, 0.0), !inside) << round;
+  }
+  EXPECT_GT(insides, 1000);
+  EXPECT_GT(outsides, 5000);
+}
+
+/// A straight run's hull: long, thin, far from the origin. The proof allows for 4e-15 of the coordinates.
+TEST(ObstacleIndex, LongThinRectanglesAreWithinTheProofsRounding) {
+  Random random{7};
+  for (int i = 0; i < 200'000; ++i) {
+    const double extent = std::pow(10.0, random.uniform(1, 6));
+    const Pose at{random.uniform(-1, 1) * extent, random.uniform(-1, 1) * extent, random.uniform(-pi, pi)};
+    const Ring ring = transformed(rectangle({0, -0.5 * random.uniform(0.3, 1)}, {random.uniform(20, 300), 0.25}), Frame{at});
+    // Just inside, along a long side.
+    const std::size_t first = i % 2 == 0 ? 0 : 2;
+    const Vec2 side = ring[(first + 1) % 4] - ring[first];
+    const Vec2 point = ring[first] + random.uniform(0.0, 1.0) * side + (std::pow(10.0, random.uniform(-16, -12.5)) * extent / norm(side)) * Vec2{-side.y, side.x};
+    const ObstacleIndex index{{{point, point, 0}}};
+    EXPECT_LE(index.distance(ring, 1.0), 4e-15 * (extent + 300.0)) << extent;
+  }
+}
+
+TEST(ObstacleIndex, OutlinesThatLookConvexAtEveryCornerAreSeenThrough) {
+  const auto at = [](const Ring& ring, Vec2 p) { return ObstacleIndex{{{p, p, 0}}}.distance(ring, 9.0); };
+  const Ring doubled{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 1}, {1, 4}, {0, 4}};  // a doubled corner where it turns right
+  EXPECT_EQ(at(doubled, {3, 0.5}), 0.0);
+  EXPECT_NEAR(at(doubled, {2, 2}), 1.0, 1e-15);
+  Ring star;  // winds twice
+  for (int i = 0; i < 5; ++i) star.push_back(unit(0.8 * pi * i));
+  EXPECT_EQ(at(star, 0.95 * star[0]), 0.0);
+  EXPECT_EQ(at(rectangle({0, 0}, {1, 1}), {0.5, 0.5}), 0.0);
+  EXPECT_FALSE((ObstacleIndex{{{{0.5, 0.5}, {0.5, 0.5}, 0}}}.is_clear(rectangle({0, 0}, {1, 1}), 1e-170)));
 }
 
 TEST(ObstacleIndex, VisitsAllThatIsNear) {

@@ -85,6 +85,17 @@ WAYWRIGHT_INLINE Edge edge(const Outline& o, int i) {
   return {x, y, dx, dy, squared > 0.0 ? 1.0 / squared : 0.0};
 }
 
+/// Both ends of an edge as its neighbours have them: what is decided by signs has to be decided alike on both sides of a corner.
+struct Ends {
+  double ax, ay, bx, by;
+  double dx() const { return bx - ax; }
+  double dy() const { return by - ay; }
+};
+WAYWRIGHT_INLINE Ends ends(const Outline& o, int i) {
+  const int next = i + 1 < o.corners ? i + 1 : 0;
+  return {o.corner[2 * i], o.corner[2 * i + 1], o.corner[2 * next], o.corner[2 * next + 1]};
+}
+
 /// Squared distance of points to the area; 0 inside.
 template <Shape shape>
 WAYWRIGHT_INLINE Doubles to_area(const Outline& o, Doubles x, Doubles y) {
@@ -112,14 +123,14 @@ WAYWRIGHT_INLINE Doubles to_area(const Outline& o, Doubles x, Doubles y) {
     const Doubles along = unit_clamped((rx * e.along_x + ry * e.along_y) * e.inverse);
     const Doubles off_x = rx - along * e.along_x, off_y = ry - along * e.along_y;
     least = lesser(least, off_x * off_x + off_y * off_y);
+    const Ends own = ends(o, i);
     if constexpr (shape == Shape::convex) {
-      least_left = lesser(least_left, e.along_x * ry - e.along_y * rx);
+      least_left = lesser(least_left, own.dx() * (y - own.ay) - own.dy() * (x - own.ax));
     } else if (o.edges > 2) {
       // A ray to the right crosses the edge.
-      const double to_y = e.from_y + e.along_y;
-      const Mask straddles = (e.from_y > y) ^ (to_y > y);
-      const Mask is_left = rx * e.along_y < ry * e.along_x;
-      is_odd ^= straddles & (e.along_y > 0.0 ? is_left : ~is_left);
+      const Mask straddles = (own.ay > y) ^ (own.by > y);
+      const Mask is_left = (x - own.ax) * own.dy() < (y - own.ay) * own.dx();
+      is_odd ^= straddles & (own.dy() > 0.0 ? is_left : ~is_left);
     }
   }
   if constexpr (shape == Shape::convex) return least_left >= 0.0 ? Doubles{} : least;
@@ -131,12 +142,11 @@ WAYWRIGHT_INLINE Mask crossing(const Outline& o, Doubles ax, Doubles ay, Doubles
   const Doubles dx = bx - ax, dy = by - ay;
   Mask crosses{};
   for (int i = 0; i < o.edges; ++i) {
-    const Edge e = edge(o, i);
-    const double to_x = e.from_x + e.along_x, to_y = e.from_y + e.along_y;
-    const Mask from_left = dx * (e.from_y - ay) - dy * (e.from_x - ax) > 0.0;
-    const Mask to_left = dx * (to_y - ay) - dy * (to_x - ax) > 0.0;
-    const Mask a_left = (to_x - e.from_x) * (ay - e.from_y) - (to_y - e.from_y) * (ax - e.from_x) > 0.0;
-    const Mask b_left = (to_x - e.from_x) * (by - e.from_y) - (to_y - e.from_y) * (bx - e.from_x) > 0.0;
+    const Ends e = ends(o, i);
+    const Mask from_left = dx * (e.ay - ay) - dy * (e.ax - ax) > 0.0;
+    const Mask to_left = dx * (e.by - ay) - dy * (e.bx - ax) > 0.0;
+    const Mask a_left = e.dx() * (ay - e.ay) - e.dy() * (ax - e.ax) > 0.0;
+    const Mask b_left = e.dx() * (by - e.ay) - e.dy() * (bx - e.ax) > 0.0;
     crosses |= (from_left ^ to_left) & (a_left ^ b_left);
   }
   return crosses;
@@ -144,10 +154,11 @@ WAYWRIGHT_INLINE Mask crossing(const Outline& o, Doubles ax, Doubles ay, Doubles
 
 template <Shape shape>
 WAYWRIGHT_INLINE void look(const Block& block, std::uint32_t first, const Outline& o, std::uint32_t without, Found& found) {
+  const double before = found.squared;  // for all eight, however many are looked at together: the same ones on every machine
   for (int k = 0; k < width; k += native) {
     const Doubles ax = load(block.ax + k), ay = load(block.ay + k), bx = load(block.bx + k), by = load(block.by + k);
     const Doubles gap = squared_gap(o, lesser(ax, bx), lesser(ay, by), greater(ax, bx), greater(ay, by));
-    unsigned wanted = bits(gap < found.squared);
+    unsigned wanted = bits(gap < before);
     if (wanted == 0) continue;
     Doubles squared = to_area<shape>(o, ax, ay);
     if (!block.ends_begin_others) squared = lesser(squared, to_area<shape>(o, bx, by));
@@ -163,7 +174,7 @@ WAYWRIGHT_INLINE void look(const Block& block, std::uint32_t first, const Outlin
     }
     squared = lesser(beside * inverse, squared);  // of a point that is not a number: the second stays
     if (o.edges > 0 && bits(gap <= 0.0) != 0) squared = ((gap <= 0.0) & crossing(o, ax, ay, bx, by)) ? Doubles{} : squared;
-    wanted &= bits(squared < found.squared);
+    wanted &= bits(squared < before);
     for (; wanted != 0; wanted &= wanted - 1) {
       const int lane = __builtin_ctz(wanted);
       if (!(squared[lane] < found.squared) || block.source[k + lane] == without) continue;

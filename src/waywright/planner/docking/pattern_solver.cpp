@@ -3,6 +3,12 @@
 #include "waywright/judge/entry.hpp"
 
 namespace waywright {
+namespace {
+
+constexpr double little_worse = 1.1;  // times the cost of the best
+
+}  // namespace
+
 PatternSolver::PatternSolver(const PreparedDocking& prepared, const PatternDockingOptions& options, const Optimizer& optimizer, std::uint64_t seed)
     : prepared_{prepared}, options_{options}, seed_{seed}, search_{prepared, options_, optimizer}, nearby_{prepared, options_, optimizer}, sides_{&none_}, proving_{prepared.problem()} {
   none_.resize(prepared.task().zones.size());
@@ -87,10 +93,12 @@ bool PatternSolver::take_ahead(std::size_t side, SideFound& best, bool is_cut_sh
   if (!has_ahead_ || ahead_.side != side) return false;
   const SideFound& ahead = ahead_.found;
   const bool is_the_best = ahead.cost == best.cost && ahead.transition == best.transition;
-  if (!is_the_best && !(is_cut_short && ahead.cost >= best.cost)) return false;
+  if (!is_the_best && !(is_cut_short && ahead.cost >= best.cost && ahead.cost <= little_worse * best.cost)) return false;
   const std::int64_t evaluations = best.evaluations;
+  const bool given_up = best.given_up;
   best = ahead;
   best.evaluations = evaluations;
+  best.given_up = given_up;
   std::swap(path_, ahead_.path);
   std::swap(proof_, ahead_.proof);
   std::swap(samples_, ahead_.samples);
