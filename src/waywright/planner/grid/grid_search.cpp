@@ -41,6 +41,7 @@ class Space {
   std::size_t index(std::uint32_t state) const { return static_cast<std::size_t>(state >> 16) * width_ + (state & 0xFFFF); }
   std::uint32_t rest(std::uint32_t state) const {
     if constexpr (kind == Kind::none) return 0;
+    if constexpr (kind == Kind::free_way) return rest_.template at_free_way<neighbours>(unpack(state));
     return rest_.at(unpack(state));
   }
   bool may_be_target(std::uint32_t state) const { return rest_.may_be_end(unpack(state)); }
