@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <thread>
 
 #include "waywright/core/random.hpp"
+#include "waywright/io/map_io.hpp"
 #include "waywright/io/plan_io.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/judge/judge.hpp"
@@ -154,6 +157,45 @@ TEST(GridPlanner, PlansOnTheMapsOwnCellsWhereverTheyLie) {
     solved += plan.status == Status::solved ? 1 : 0;
   }
   EXPECT_GT(solved, 12);
+}
+
+// Real maps, read in place: halls with ragged walls, unknown cells, rotated origins.
+TEST(GridPlanner, RealMapsArePlannedOnAndProven) {
+  const char* given = std::getenv("WAYWRIGHT_TEST_DATA");
+  const std::filesystem::path folder = std::filesystem::path{given != nullptr ? given : std::string{WAYWRIGHT_SOURCE_DIR} + "/../shared/data"} / "ros_maps";
+  if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "no outside data at " << folder << " (WAYWRIGHT_TEST_DATA)";
+  Random random{12};
+  for (const char* name : {"nav2/depot.yaml", "ipa_factory/map.yaml", "aws_hospital/hospital.yaml", "stata_basement/stata_basement.yaml", "nav2/warehouse.yaml"}) {
+    SCOPED_TRACE(name);
+    Scenario s;
+    s.map = read_map(folder / name).value();
+    s.vehicle.drive = Differential{0.4};
+    s.clearance = 0.05;
+    const World world{s.map};
+    World built = world;
+    built.build();
+    const CellGrid& grid = s.map.grids.front();
+    int solved = 0;
+    for (const auto& [planner, footprint] : {std::pair{"astar", disc}, std::pair{"theta_star", disc}, std::pair{"astar", Footprint{{{-0.5, -0.25}, {0.4, -0.25}, {0.4, 0.25}, {-0.5, 0.25}}, 0.0}}}) {
+      s.vehicle.footprint = footprint;
+      const auto pose = [&] {
+        for (;;) {
+          const Pose p = make_pose(grid.corner(random.uniform(0, grid.columns), random.uniform(0, grid.rows)), random.uniform(-3, 3));
+          if (built.clearance(footprint, p, 0.6).clearance > 0.3) return p;
+        }
+      };
+      s.start = pose();
+      do {
+        s.mission = pose();
+      } while (distance(s.start.position(), std::get<Pose>(s.mission).position()) > 15.0);
+      s.planner = {planner, {}};
+      const Plan plan = *solve(Problem::prepare(s, &world).value());
+      EXPECT_NE(plan.status, Status::unproven) << plan.reason;
+      EXPECT_TRUE(plan.status == Status::solved || plan.status == Status::no_path) << to_string(plan.status) << ": " << plan.reason;
+      solved += plan.status == Status::solved ? 1 : 0;
+    }
+    EXPECT_GE(solved, 1);
+  }
 }
 
 /// A box of walls around the goal, with a door of this width.

@@ -68,7 +68,10 @@ GridGraph::GridGraph(int columns, int rows, Neighbours neighbours, std::vector<s
   label_components();
 }
 
-void GridGraph::set_danger(std::vector<std::uint16_t> danger) { danger_ = std::move(danger); }
+void GridGraph::set_danger(std::vector<std::uint16_t> danger) {
+  danger_ = std::move(danger);
+  most_danger_ = danger_.empty() ? std::uint16_t{0} : *std::max_element(danger_.begin(), danger_.end());
+}
 
 void GridGraph::label_components() {
   component_.assign(free_.size(), blocked_component);

@@ -42,6 +42,7 @@ class GridGraph {
   /// @pre as many as there are cells
   void set_danger(std::vector<std::uint16_t> danger);
   const std::vector<std::uint16_t>& danger() const { return danger_; }
+  std::uint16_t most_danger() const { return most_danger_; }
 
   /// False where no way can lead from one to the other, known from preparation. (Beyond 65 534 components it is not known of all.)
   bool may_be_connected(Cell a, Cell b) const;
@@ -55,6 +56,7 @@ class GridGraph {
   Neighbours neighbours_ = Neighbours::eight;
   std::vector<std::uint16_t> free_, asked_;
   std::vector<std::uint16_t> danger_;
+  std::uint16_t most_danger_ = 0;
   std::vector<std::uint16_t> component_;
   std::int64_t components_ = 0;
 };

@@ -33,22 +33,21 @@ class Space {
       weights_[i] = weights.of(static_cast<int>(i));
       cells_[i] = moves[i].row * static_cast<std::ptrdiff_t>(width_) + moves[i].column;
     }
-    most_danger_ = 0;
-    if constexpr (has_danger) most_danger_ = *std::max_element(graph.danger().begin(), graph.danger().end());
   }
 
   std::size_t size() const { return graph_.cells(); }
   std::size_t index(std::uint32_t state) const { return static_cast<std::size_t>(state >> 16) * width_ + (state & 0xFFFF); }
   std::uint32_t rest(std::uint32_t state) const {
     if constexpr (kind == Kind::none) return 0;
+    if constexpr (kind == Kind::free_way) return rest_.template at_free_way<neighbours>(unpack(state));
     return rest_.at(unpack(state));
   }
   bool may_be_target(std::uint32_t state) const { return rest_.may_be_end(unpack(state)); }
-  std::uint64_t most_cost() const { return static_cast<std::uint64_t>(all_weights_.knight) * (256 + most_danger_) / 256 + 1; }
+  std::uint64_t most_cost() const { return static_cast<std::uint64_t>(all_weights_.knight) * (256 + graph_.most_danger()) / 256 + 1; }
   std::uint64_t most_rest() const {
     return static_cast<std::uint64_t>(graph_.columns() + graph_.rows()) * all_weights_.scale;  // manhattan is the greatest
   }
-  std::uint32_t bucket_width() const { return std::bit_floor(std::max(1U, all_weights_.scale / 8)); }
+  std::uint32_t bucket_width() const { return std::bit_floor(std::max(1U, all_weights_.scale / 16)); }
 
   template <class Emit>
   void expand(std::uint32_t state, Emit&& emit) const {
@@ -62,12 +61,13 @@ class Space {
     }
     for (; rest != 0; rest &= rest - 1) {
       const auto i = static_cast<std::size_t>(__builtin_ctz(rest));
+      const auto there = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(here) + cells_[i]);
       std::uint32_t cost = weights_[i];
       if constexpr (has_danger) {
-        const std::uint32_t both = static_cast<std::uint32_t>(danger_[here]) + danger_[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(here) + cells_[i])];
+        const std::uint32_t both = static_cast<std::uint32_t>(danger_[here]) + danger_[there];
         cost += static_cast<std::uint32_t>((static_cast<std::uint64_t>(cost) * both) >> 9);
       }
-      emit(state + offsets_[i], cost, static_cast<int>(i));
+      emit(state + offsets_[i], there, cost, static_cast<int>(i));
     }
   }
 
@@ -82,7 +82,6 @@ class Space {
   const std::uint16_t* danger_;
   std::array<std::uint32_t, all_moves> offsets_{}, weights_{};
   std::array<std::ptrdiff_t, all_moves> cells_{};
-  std::uint32_t most_danger_ = 0;
 };
 
 std::vector<Terminal> terminals(const std::vector<GridEnd>& ends, const MoveWeights& weights) {

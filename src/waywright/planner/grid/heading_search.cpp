@@ -60,21 +60,24 @@ class Space {
   template <class Emit>
   void expand(std::uint32_t packed, Emit&& emit) const {
     const HeadingState s = unpack(packed);
+    const auto to = [&](const HeadingState& next, std::uint32_t cost, HeadingStep step) {
+      const std::uint32_t there = pack(next);
+      emit(there, index(there), cost, static_cast<int>(step));
+    };
     const int move = space_.move(s.heading);
     const Move m = moves[static_cast<std::size_t>(move)];
     if (space_.is_drive_free(s.cell, s.heading, false, test_)) {
-      emit(pack({{s.cell.column + m.column, s.cell.row + m.row}, s.heading}), weights_.of(move), static_cast<int>(HeadingStep::forwards));
+      to({{s.cell.column + m.column, s.cell.row + m.row}, s.heading}, weights_.of(move), HeadingStep::forwards);
     }
     if (space_.costs().reverse > 0.0 && space_.is_drive_free(s.cell, s.heading, true, test_)) {
-      emit(pack({{s.cell.column - m.column, s.cell.row - m.row}, s.heading}), static_cast<std::uint32_t>(std::lround(weights_.of(move) * space_.costs().reverse)),
-           static_cast<int>(HeadingStep::backwards));
+      to({{s.cell.column - m.column, s.cell.row - m.row}, s.heading}, static_cast<std::uint32_t>(std::lround(weights_.of(move) * space_.costs().reverse)), HeadingStep::backwards);
     }
     const int previous = space_.beside(s.heading, -1);
     if (space_.is_turn_free(s.cell, s.heading, test_)) {
-      emit(pack({s.cell, space_.beside(s.heading, 1)}), turns_[static_cast<std::size_t>(s.heading)], static_cast<int>(HeadingStep::to_next));
+      to({s.cell, space_.beside(s.heading, 1)}, turns_[static_cast<std::size_t>(s.heading)], HeadingStep::to_next);
     }
     if (space_.is_turn_free(s.cell, previous, test_)) {
-      emit(pack({s.cell, previous}), turns_[static_cast<std::size_t>(previous)], static_cast<int>(HeadingStep::to_previous));
+      to({s.cell, previous}, turns_[static_cast<std::size_t>(previous)], HeadingStep::to_previous);
     }
   }
 

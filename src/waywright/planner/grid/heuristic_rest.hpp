@@ -1,6 +1,7 @@
 // A heuristic towards several ends at once: towards the first of them, less what keeps it under the way to any.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -25,6 +26,12 @@ class HeuristicRest {
   }
   std::uint32_t at(Cell c) const {
     const std::uint32_t value = towards_middle(c);
+    return value > less_ ? value - less_ : 0;
+  }
+  /// The same of free_way, where it and the neighbourhood are known when compiled.
+  template <Neighbours neighbours>
+  std::uint32_t at_free_way(Cell c) const {
+    const std::uint32_t value = free_way(neighbours, weights_, c.column - middle_.column, c.row - middle_.row);
     return value > less_ ? value - less_ : 0;
   }
   bool may_be_end(Cell c) const { return c.column >= low_.column && c.column <= high_.column && c.row >= low_.row && c.row <= high_.row; }

@@ -146,7 +146,7 @@ struct Memory {
 ///   index(state)                       of a packed state, below size(),
 ///   rest(state)                        what is left at least, as the heuristic has it; the search is exact where it is never too much,
 ///   may_be_target(state)               a quick look, false for most,
-///   expand(state, emit(state, cost, move)),
+///   expand(state, emit(state, index, cost, move)),
 ///   most_cost(), most_rest()           of one move; of any state,
 ///   bucket_width()                     a power of two.
 /// `before_expansion(n)` is asked every 1024 expansions, with how many there were, and may end the search.
@@ -204,9 +204,9 @@ Outcome search(Space& space, Memory<Queue>& memory, const std::vector<Terminal>&
       }
     }
     ++outcome.expansions;
-    space.expand(at.state, [&](std::uint32_t next, std::uint32_t cost, int move) {
+    space.expand(at.state, [&](std::uint32_t next, std::size_t index, std::uint32_t cost, int move) {
       const std::uint32_t sum = at.cost + cost;
-      Visit& v = visits[space.index(next)];
+      Visit& v = visits[index];
       if (v.generation == generation && v.cost <= sum) return;
       if (sum > most_cost) {
         overflowed = true;
