@@ -357,6 +357,12 @@ TEST_F(CommandLine, AFrontWithoutPlansSaysWhy) {
   EXPECT_EQ(o.status, 1) << o.err;
   EXPECT_NE(o.out.find("none: waypoint 1 at"), std::string::npos) << o.out;
   EXPECT_NE(o.out.find("is in obstacle 0"), std::string::npos) << o.out;
+  // Too near to something for any heading is told without a search, too.
+  const Json low = s["map"]["polygons"]["boundary"];
+  s["waypoints"][0] = {0.5 * (low[0][0].get<double>() + low[1][0].get<double>()), low[0][1].get<double>() + 0.1};
+  o = run("pareto " + write(s) + " -o front");
+  EXPECT_EQ(o.status, 1) << o.err;
+  EXPECT_NE(o.out.find("is 0.1000 m from the boundary, and whatever its heading there the vehicle needs"), std::string::npos) << o.out;
 }
 
 TEST_F(CommandLine, WaypointsArePlannedThroughByWhoCan) {

@@ -31,15 +31,6 @@ Box slab_box(const Ring& ring, double Vec2::* axis, double low, double high) {
   return box;
 }
 
-double inner_radius(const Ring& ring, Vec2 center) {
-  if (!contains(ring, center)) return 0.0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    least = std::min(least, point_segment_distance(center, ring[i], ring[(i + 1) % ring.size()]));
-  }
-  return least;
-}
-
 }  // namespace
 
 std::vector<CoverDisc> disc_cover(const Ring& ring, double bulge, int most) {

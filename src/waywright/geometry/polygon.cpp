@@ -35,6 +35,15 @@ bool contains(std::span<const Vec2> ring, Vec2 point) {
   return in;
 }
 
+double inner_radius(const Ring& ring, Vec2 center) {
+  if (!contains(ring, center)) return 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    least = std::min(least, point_segment_distance(center, ring[i], ring[(i + 1) % ring.size()]));
+  }
+  return least;
+}
+
 void convex_hull(std::vector<Vec2>& points, Ring& hull) {
   std::sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   points.erase(std::unique(points.begin(), points.end()), points.end());

@@ -29,6 +29,9 @@ double signed_area(const Ring& ring);
 /// Inside or on the edge. Even-odd rule; exact on the edge up to rounding.
 bool contains(std::span<const Vec2> ring, Vec2 point);
 
+/// Radius of the largest disc about the point that the ring's area holds; 0 where the point is not in it.
+double inner_radius(const Ring& ring, Vec2 center);
+
 /// Counter-clockwise convex hull without collinear corners.
 Ring convex_hull(std::vector<Vec2> points);
 /// The same into `hull`, whose memory is reused; `points` are put into another order.

@@ -13,6 +13,8 @@ double Footprint::radius() const {
   return r;
 }
 
+double Footprint::inner_radius() const { return is_disc() ? disc : waywright::inner_radius(polygon, {}); }
+
 double Footprint::front() const {
   if (is_disc()) return disc;
   double x = polygon.front().x;

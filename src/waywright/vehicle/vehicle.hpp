@@ -19,6 +19,7 @@ struct Footprint {
 
   bool is_disc() const { return polygon.empty(); }
   double radius() const;       ///< greatest distance of any of its points from the origin
+  double inner_radius() const; ///< of the largest disc about the origin that it holds; 0 where the origin is not in it
   double front() const;        ///< greatest x: the fork tips of a forklift
   double least_width() const;  ///< least distance between parallel lines that enclose it
 };

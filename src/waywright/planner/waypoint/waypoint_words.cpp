@@ -92,14 +92,23 @@ PlanningFailure failure_of(const Problem& problem, WaypointCandidates& candidate
 std::optional<PlanningFailure> blocked_waypoint(const Problem& problem) {
   const Scenario& scenario = problem.scenario();
   if (scenario.waypoint_radius > 0.0) return std::nullopt;
+  const bool is_covered = contains_origin(problem.footprint());
+  const double inner = problem.footprint().inner_radius();
   for (std::size_t i = 0; i < scenario.waypoints.size(); ++i) {
     const Vec2 at = scenario.waypoints[i];
-    const Contact contact = problem.world().clearance(std::span{&at, 1}, 0.0, 1e-9);
-    const bool is_covered = contains_origin(problem.footprint());
-    if (contact.clearance > 0.0 || !is_covered) continue;
+    const double needed = inner + problem.required_clearance();
+    const Contact contact = problem.world().clearance(std::span{&at, 1}, 0.0, needed);
+    if (!is_covered || (contact.clearance > 0.0 && contact.clearance >= needed)) continue;
     const std::string name = problem.world().source_name(contact.source);
-    const bool is_thin = name.rfind("line ", 0) == 0 || name.rfind("scan point ", 0) == 0;
     PlanningFailure failure;
+    if (contact.clearance > 0.0) {
+      failure.failure = {Status::no_path,
+                         fmt::format("waypoint {} at ({:.3f}, {:.3f}) is {:.4f} m from {}, and whatever its heading there the vehicle needs {:.4f} m{}", i + 1, at.x, at.y,
+                                     contact.clearance, name, needed, problem.required_clearance() > 0.0 ? ", the clearance asked for included" : ""),
+                         make_pose(at, 0.0), contact.point};
+      return failure;
+    }
+    const bool is_thin = name.rfind("line ", 0) == 0 || name.rfind("scan point ", 0) == 0;
     failure.failure = {Status::no_path, fmt::format("waypoint {} at ({:.3f}, {:.3f}) is {} {}", i + 1, at.x, at.y, contact.outside ? "outside" : is_thin ? "on" : "in", name),
                        make_pose(at, 0.0), at};
     return failure;
