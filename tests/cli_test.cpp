@@ -598,6 +598,13 @@ TEST_F(CommandLine, MapAlignsByPairsOfPoints) {
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_NE(o.out.find("residuals in m: 0.0100, 0.0100"), std::string::npos) << o.out;
   EXPECT_NE(run("map m.json").out.find("residuals in m: 0.0100, 0.0100"), std::string::npos);
+  EXPECT_EQ(o.err, "");
+  const Outcome off = run("map " + example("warehouse.yaml") + " --align 0,0=10,5 --align 10,0=10,15.6 --overlay " + example("warehouse.yaml") + " --picture p.svg");
+  EXPECT_EQ(off.status, 0) << off.err;
+  EXPECT_NE(off.err.find("warning: the map is 0.300 m off at the pair "), std::string::npos) << off.err;
+  EXPECT_NE(off.out.find("note: align: the pairs fit a map 1.06 times as large: wrong unit?"), std::string::npos) << off.out;
+  EXPECT_NE(slurp(folder_ / "p.svg").find("class=\"spotline\""), std::string::npos);
+  refused(run("map " + example("warehouse.yaml") + " --align 0,0=10,5 --align 10,0=10,25"), {"align: the pairs do not fit the map", "2.00 times as large: wrong unit?"});
   refused(run("map " + example("warehouse.yaml") + " --align 0,0=10"), {"--align", "0,0=10", "X,Y=X,Y"});
   refused(run("map " + example("warehouse.yaml") + " --align 0,0=10,5"), {"align", "two pairs"});
   refused(run("map " + example("warehouse.yaml") + " --unit mm"), {"--unit", "a .dxf file"});
