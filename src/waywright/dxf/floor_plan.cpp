@@ -249,7 +249,12 @@ class Plan {
       outline_ = none;
       return;
     }
-    note(fmt::format("the largest closed {} ({:.1f} m², on {}) is about most of the rest: taken as walls, not as solid (boundary_layer makes it the boundary)", pieces_[outline_].piece.kind, largest, layer));
+    // Where others are closed on its layer, too, they would be boundaries beside each other, which is refused.
+    const auto closed_there = std::count_if(pieces_.begin(), pieces_.end(), [&](const Taken& other) {
+      return other.piece.layer == pieces_[outline_].piece.layer && distance(other.piece.points.front(), other.piece.points.back()) <= options_.closing;
+    });
+    note(fmt::format("the largest closed {} ({:.1f} m², on {}) is about most of the rest: taken as walls, not as solid ({})", pieces_[outline_].piece.kind, largest, layer,
+                     closed_there > 1 ? "on a layer of its own, boundary_layer would make it the boundary" : "boundary_layer makes it the boundary"));
   }
 
   void add_walls(Polyline ring) {

@@ -200,7 +200,9 @@ TEST(FloorPlan, AnOutlineOfThePlanIsNotSolid) {
   EXPECT_EQ(plan.obstacles.size(), 5u);
   ASSERT_EQ(plan.lines.size(), 1u);
   EXPECT_EQ(plan.lines[0].front(), plan.lines[0].back());
-  EXPECT_SAYS(plan, "taken as walls, not as solid");
+  EXPECT_SAYS(plan, "taken as walls, not as solid (boundary_layer makes it the boundary)");
+  // With racks on its layer, naming it would be refused.
+  EXPECT_SAYS(plan_of(entities(hall + racks + box("WALLS", 17000, 1000, 18000, 8000))), "(on a layer of its own, boundary_layer would make it the boundary)");
 }
 
 TEST(FloorPlan, ARoomThatIsTakenAsSolidIsTold) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <tuple>
 
 #include "waywright/dxf/floor_plan.hpp"
 #include "waywright/io/files.hpp"
@@ -26,6 +28,11 @@ constexpr std::size_t deepest_source = 24;      // levels of a record that is ca
 constexpr double largest_raw_coordinate = 1e9;  // m, before a transform: national grids have large ones
 constexpr std::uint64_t largest_drawing = 1ULL << 30;  // bytes
 constexpr double largest_record = 1e12;         // m, of a transform that was made of several
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  return text;
+}
 
 /// A loading error that speaks of its own file.
 void take_over(const Node& node, InputError error) {
@@ -224,7 +231,13 @@ class MapReader {
     auto text = read_file(folder_ / name, largest_drawing);
     if (!text) return fail_by_file(node_.at("dxf"), text.error());
     auto plan = dxf::read_floor_plan(*text, (folder_ / name).string(), options);
-    if (!plan) return fail_by_file(node_.at("dxf"), plan.error());
+    if (!plan) {
+      // Its sentences name the option of `map`, whose map object is the outermost one.
+      InputError error = plan.error();
+      constexpr std::string_view option = "give unit (--unit)";
+      if (const std::size_t at = error.problem.find(option); at != std::string::npos && !node_.path().empty()) error.problem.replace(at, option.size(), "give " + node_.path() + ".unit");
+      return fail_by_file(node_.at("dxf"), error);
+    }
     source["file"] = name;
     for (const char* field : {"unit", "obstacle_layers", "boundary_layer", "tolerance", "closing"}) {
       if (node_.has(field)) source[field] = node_.at(field).json();
@@ -281,6 +294,9 @@ class MapReader {
     const std::string name = polygons.file_name();
     if (node_.failed() || !count_file()) return;
     const fs::path path = folder_ / name;
+    for (const auto& [extension, what, kind] : {std::tuple{".dxf", "a drawing", "dxf"}, {".yaml", "a ROS map", "ros"}, {".yml", "a ROS map", "ros"}}) {
+      if (lower_case(path.extension().string()) == extension) return polygons.fail(fmt::format("{} is {}, not a map.json", name, what), fmt::format("{{\"{}\": \"{}\"}}", kind, name));
+    }
     auto text = read_file(path, largest_json);
     if (!text) return fail_by_file(polygons, text.error());
     auto json = parse_json(*text, path.string());
@@ -488,11 +504,7 @@ Json map_to_json(const Map& map) {
 
 std::string map_json(const Map& map) { return pretty(map_to_json(map)); }
 
-bool is_dxf(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  return extension == ".dxf";
-}
+bool is_dxf(const fs::path& file) { return lower_case(file.extension().string()) == ".dxf"; }
 
 Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, const dxf::Options& drawing, std::string* record) {
   const auto refuse = [&](const char* problem, const char* allowed) {
