@@ -111,7 +111,10 @@ TEST_F(CheckCommand, AnotherMapIsPlannedAnew) {
 }
 
 TEST_F(CheckCommand, AnyNumberOfThreadsGivesTheSameFiles) {
-  ASSERT_EQ(run("generate stations --count 6 --seed 3 -o site.csv").status, 0);
+  const Outcome made = run("generate stations --count 6 --seed 3 -o site.csv");
+  ASSERT_EQ(made.status, 0);
+  EXPECT_NE(made.out.find("check it: waywright check site.csv --map site.yaml --vehicle site.vehicle.json --clearance 0.05"), std::string::npos) << made.out;
+  EXPECT_TRUE(fs::exists(folder_ / "site.vehicle.json"));
   const auto timeless = [&](const std::string& folder) {
     std::string all;
     std::set<fs::path> plans;

@@ -17,7 +17,19 @@ namespace {
 std::string describe(const std::filesystem::path& file, const Map& map) {
   World world{map};
   world.build();
-  const Box box = world.bounds();
+  const auto is_free = [](const CellGrid& grid) { return std::find(grid.blocked.begin(), grid.blocked.end(), 0) != grid.blocked.end(); };
+  const bool cells_alone = map.boundaries.empty() && map.obstacles.empty() && map.lines.empty() && map.points.empty() && !map.grids.empty();
+  const bool full = cells_alone && std::none_of(map.grids.begin(), map.grids.end(), is_free);
+  Box box = world.bounds();
+  if (full) {  // no edge of a free place bounds it
+    std::vector<Vec2> corners;
+    for (const CellGrid& grid : map.grids) {
+      for (const int c : {0, grid.columns}) {
+        for (const int r : {0, grid.rows}) corners.push_back(grid.corner(c, r));
+      }
+    }
+    box = bounding_box(corners);
+  }
   std::string text = fmt::format("{}: x {:.3f} to {:.3f} m, y {:.3f} to {:.3f} m\n", file.string(), box.low.x,
                                  box.high.x, box.low.y, box.high.y);
   for (const CellGrid& grid : map.grids) {
@@ -42,6 +54,7 @@ std::string describe(const std::filesystem::path& file, const Map& map) {
       text += fmt::format("{} {:.4f}", i == 0 ? "; residuals in m:" : ",", residuals[i]);
     text += "\n";
   }
+  if (full) text += "  note: nothing is free: every cell is occupied or unknown\n";
   for (const std::string& note : map.notes) text += "  note: " + note + "\n";
   return text;
 }
