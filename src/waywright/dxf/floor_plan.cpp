@@ -46,7 +46,7 @@ Parsed<Unit> unit_of(const Drawing& drawing, const std::string& name, const Opti
 std::string count_of(double n, const char* one, const char* more) { return fmt::format("{:.0f} {}", n, n == 1.0 ? one : more); }
 std::string count_of(std::size_t n, const char* one, const char* more) { return count_of(static_cast<double>(n), one, more); }
 
-std::string millimetres(double v) { return v < 0.1 ? fmt::format("{:.2g} mm", 1e3 * v) : fmt::format("{:.0f} mm", 1e3 * v); }
+std::string millimetres(double v) { return v < 0.01 ? fmt::format("{:.2g} mm", 1e3 * v) : fmt::format("{:.0f} mm", 1e3 * v); }
 
 std::string metres(double v) { return v < 1000.0 ? fmt::format("{:.3g} m", v) : fmt::format("{:.3g} km", v / 1000.0); }
 

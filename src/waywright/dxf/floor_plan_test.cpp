@@ -493,6 +493,10 @@ TEST(FloorPlan, ACoarseToleranceLosesNoPillar) {
   Options coarse;
   coarse.tolerance = 1.0;
   EXPECT_SAYS(plan_of(entities(hall + circle("P", 0, 0, 200)), coarse), "chords no farther than 1000 mm from them: solids contain their outline");
+  for (const auto& [tolerance, words] : {std::pair{0.0996, "than 100 mm"}, {0.4, "than 400 mm"}, {0.00996, "than 10 mm"}, {2.5e-5, "than 0.025 mm"}}) {
+    coarse.tolerance = tolerance;
+    EXPECT_SAYS(plan_of(entities(hall + circle("P", 0, 0, 200)), coarse), words);
+  }
 }
 
 TEST(FloorPlan, ABoundaryOfLinesAndArcsLiesWithinThem) {
