@@ -111,7 +111,10 @@ TEST_F(CheckCommand, AnotherMapIsPlannedAnew) {
 }
 
 TEST_F(CheckCommand, AnyNumberOfThreadsGivesTheSameFiles) {
-  ASSERT_EQ(run("generate stations --count 6 --seed 3 -o site.csv").status, 0);
+  const Outcome made = run("generate stations --count 6 --seed 3 -o site.csv");
+  ASSERT_EQ(made.status, 0);
+  EXPECT_NE(made.out.find("check it: waywright check site.csv --map site.yaml --vehicle site.vehicle.json --clearance 0.05"), std::string::npos) << made.out;
+  EXPECT_TRUE(fs::exists(folder_ / "site.vehicle.json"));
   const auto timeless = [&](const std::string& folder) {
     std::string all;
     std::set<fs::path> plans;
@@ -154,6 +157,21 @@ TEST_F(CheckCommand, ScenarioFilesOfDifferentMapsAndVehicles) {
   EXPECT_EQ(there, here);
   refused(run("check " + example("dock_middle.json") + " " + example("dock_middle.json")), {"dock_middle.json", "name", "the same folder"});
   refused(run("check " + example("dock_middle.json") + " --map m.yaml"), {"--map", "scenario files have their own"});
+}
+
+TEST_F(CheckCommand, ASettingGoesToThePlacesWhosePlannerTakesIt) {
+  std::ofstream{folder_ / "both.csv"} << "name,start_x,start_y,start_heading,goal_x,goal_y,goal_heading,waypoints,planner,shelf_x,shelf_y,shelf_heading_deg,shelf_depth,shelf_width,area\n"
+                                         "way,2,9.5,0,30,9.5,0,16 9.5,waypoint_clothoid,,,,,,\n"
+                                         "dock,46.2,9.5,3.14159,,,,,,58.9,9.2,180,1.2,2.7,44 1 | 59.5 17.5\n";
+  const auto setting = [&](const std::string& set) {
+    return run("check both.csv --map " + example("warehouse.yaml") + " --vehicle " + example("vehicles/forklift.json") + " --set evaluations=50 --set " + set + " -o c");
+  };
+  const Outcome o = setting("objective=mlpc");
+  EXPECT_NE(o.status, 2) << o.err;
+  EXPECT_EQ(Json::parse(slurp(folder_ / "c/way/plan.json"))["scenario"]["planner"]["objective"], "mlpc");
+  EXPECT_EQ(Json::parse(slurp(folder_ / "c/dock/plan.json"))["scenario"]["planner"]["objective"], "normalised");
+  refused(setting("objective=nobody"), {"--set objective", "waypoint_clothoid: ", "nobody", "mlpc"});
+  refused(setting("nothing=1"), {"--set nothing", "has no such parameter"});
 }
 
 TEST_F(CheckCommand, BadInputIsOneSentence) {

@@ -525,7 +525,7 @@ TEST_F(CommandLine, AStartInsideOfAClosedOutlineNamesTheRemedy) {
             {"start", {2, 3, 0}},
             {"goal", {9, 6, 1.5}},
             {"planner", {{"name", "ompl_rrt_connect"}}}};
-  const std::string words = "the start lies inside of obstacle 0, a closed outline of 120.0 m², which is solid; if it is the outline of a room, name its layer as boundary_layer";
+  const std::string words = "the start lies inside of obstacle 0, a closed outline of 120.0 m² (x 0.00 to 12.00, y 0.00 to 10.00 m), which is solid; if it is the outline of a room, name its layer as boundary_layer";
   Outcome o = run("plan " + write(j) + " -o o");
   EXPECT_EQ(o.status, 1) << o.err;
   EXPECT_NE(o.err.find(words), std::string::npos) << o.err;
@@ -556,6 +556,15 @@ TEST_F(CommandLine, PicturesAndOverlaysAreWhatTheirNamesSay) {
   const Outcome o = run(map + " --overlay plan.dxf --overlay-unit mm --picture p.SVG");
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_NE(slurp(folder_ / "p.SVG").find("<svg"), std::string::npos);
+  // What names the unit where there is no --unit.
+  std::ofstream{folder_ / "s.csv"} << "name,start_x,start_y,start_heading,goal_x,goal_y,goal_heading\nA,2,3,0,9,6,1.5\n";
+  refused(run("check s.csv --map plan.dxf --vehicle " + example("vehicles/forklift.json")), {"plan.dxf", "convert it with `waywright map plan.dxf --unit UNIT -o map.json`"});
+  Json j = scenario();
+  j["map"] = {{"dxf", "plan.dxf"}};
+  refused(run("plan " + write(j)), {"plan.dxf", "give map.unit ("});
+  j["map"] = {{"polygons", "plan.dxf"}};
+  refused(run("plan " + write(j)), {"map.polygons: plan.dxf is a drawing, not a map.json", "{\"dxf\": \"plan.dxf\"}"});
+  refused(run("check s.csv --vehicle v.json"), {"--map", "DXF"});
   // What is read is not written over.
   ASSERT_EQ(run("map plan.dxf --unit mm -o m.json").status, 0);
   const std::string before = slurp(folder_ / "m.json");
@@ -613,11 +622,26 @@ TEST_F(CommandLine, WithoutItsPartForDrawingsItSaysSo) {
   EXPECT_EQ(run("map plan.dxf").status, 0);
 }
 
+TEST_F(CommandLine, AMapWithoutAFreePlaceHasItsOwnExtent) {
+  std::ofstream{folder_ / "full.json"} << R"({"cells": [{"name": "full", "columns": 4, "rows": 2, "cell": 0.5, "origin": [3, 5, 0], "runs": [1, 8]}]})";
+  const Outcome o = run("map full.json");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_NE(o.out.find("full.json: x 3.000 to 5.000 m, y 5.000 to 6.000 m\n"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("note: nothing is free"), std::string::npos) << o.out;
+}
+
 TEST_F(CommandLine, MapAlignsByPairsOfPoints) {
   const Outcome o = run("map " + example("warehouse.yaml") + " --align 0,0=10,5 --align 10,0=10,15.02 -o m.json");
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_NE(o.out.find("residuals in m: 0.0100, 0.0100"), std::string::npos) << o.out;
   EXPECT_NE(run("map m.json").out.find("residuals in m: 0.0100, 0.0100"), std::string::npos);
+  EXPECT_EQ(o.err, "");
+  const Outcome off = run("map " + example("warehouse.yaml") + " --align 0,0=10,5 --align 10,0=10,15.6 --overlay " + example("warehouse.yaml") + " --picture p.svg");
+  EXPECT_EQ(off.status, 0) << off.err;
+  EXPECT_NE(off.err.find("warning: the map is 0.300 m off at the pair "), std::string::npos) << off.err;
+  EXPECT_NE(off.out.find("note: align: the pairs fit a map 1.06 times as large: wrong unit?"), std::string::npos) << off.out;
+  EXPECT_NE(slurp(folder_ / "p.svg").find("class=\"spotline\""), std::string::npos);
+  refused(run("map " + example("warehouse.yaml") + " --align 0,0=10,5 --align 10,0=10,25"), {"align: the pairs do not fit the map", "2.00 times as large: wrong unit?"});
   refused(run("map " + example("warehouse.yaml") + " --align 0,0=10"), {"--align", "0,0=10", "X,Y=X,Y"});
   refused(run("map " + example("warehouse.yaml") + " --align 0,0=10,5"), {"align", "two pairs"});
   refused(run("map " + example("warehouse.yaml") + " --unit mm"), {"--unit", "a .dxf file"});

@@ -45,27 +45,35 @@ tl::unexpected<InputError> no_layout(const fs::path& file) {
   return tl::unexpected{InputError{file.string(), "", "VDA 5050 layouts (LIF) are not supported yet", "STATIONS.csv with --map and --vehicle, or scenario files"}};
 }
 
-/// --set goes to every place whose planner has the parameter; one that no planner has is refused.
+/// --set goes to every place whose planner has the parameter and takes that value; what none takes is refused.
 Parsed<void> apply_settings(const std::vector<std::string>& settings, std::vector<Place>& places) {
   if (auto once = check_each_key_once(settings); !once) return once;
   for (const std::string& setting : settings) {
     const std::string key = setting.substr(0, setting.find('='));
     bool used = false;
-    std::optional<InputError> unknown;
+    std::optional<InputError> unknown, refused;
     for (Place& place : places) {
       const PlannerDescription* planner = find_planner(place.scenario.planner.name);
       if (planner == nullptr) continue;  // told with the place
       const bool has = std::any_of(planner->parameters.begin(), planner->parameters.end(), [&](const ParameterDescription& p) { return p.name == key; });
       auto set = set_parameter(*planner, place.scenario.planner.parameters, setting);
-      if (!set && has) return set;
-      if (!set) unknown = set.error();
+      if (!set) {
+        if (!has) {
+          unknown = set.error();
+        } else if (!refused) {
+          refused = set.error();
+          refused->problem = planner->name + ": " + refused->problem;
+        }
+        continue;
+      }
       if (auto free = has ? check_no_budget_over(setting, place.scenario.budget) : Parsed<void>{}; !free) {
         free.error().file = place.origin;
         return free;
       }
-      used = used || has;
+      used = true;
     }
-    if (!used && unknown) return tl::unexpected{*unknown};
+    if (used) continue;
+    if (refused || unknown) return tl::unexpected{refused ? *refused : *unknown};
   }
   return {};
 }
@@ -83,7 +91,7 @@ void note_rows(const std::vector<SiteRow>& rows) {
 
 /// One map, one vehicle, a place a line.
 Parsed<std::vector<Place>> places_of_table(const CheckArguments& arguments) {
-  if (!arguments.map) return tl::unexpected{wrong("--map", "it is missing", "the map of the site: map.json or a ROS yaml")};
+  if (!arguments.map) return tl::unexpected{wrong("--map", "it is missing", "the map of the site: a map.json, a ROS yaml, a DXF floor plan or a MovingAI map")};
   if (!arguments.vehicle) return tl::unexpected{wrong("--vehicle", "it is missing", "vehicle.json")};
   if (arguments.clearance && !(*arguments.clearance >= 0.0 && std::isfinite(*arguments.clearance)))
     return tl::unexpected{wrong("--clearance", "the number is out of range", "metres from 0")};

@@ -4,6 +4,7 @@
 
 #include "outputs.hpp"
 #include "waywright/io/files.hpp"
+#include "waywright/io/json_reader.hpp"
 #include "waywright/io/scenario_io.hpp"
 
 namespace waywright::app {
@@ -20,8 +21,7 @@ std::string map_yaml(const std::filesystem::path& picture) {
 int generate_stations(const GenerateArguments& arguments) {
   if (arguments.boxes)
     return complain({"", "--boxes", "it does not go with generate stations", "generate station"});
-  const std::filesystem::path vehicle_file =
-      arguments.vehicle.value_or(examples_folder() / "vehicles" / "forklift.json");
+  std::filesystem::path vehicle_file = arguments.vehicle.value_or(examples_folder() / "vehicles" / "forklift.json");
   const auto vehicle = read_vehicle(vehicle_file);
   if (!vehicle) return complain(vehicle.error());
   const GeneratedSite site = generate_site(arguments.seed, arguments.count.value_or(20), *vehicle);
@@ -31,10 +31,20 @@ int generate_stations(const GenerateArguments& arguments) {
   yaml.replace_extension(".yaml");
   if (arguments.out == picture || arguments.out == yaml)
     return complain({arguments.out.string(), "", "the map has this name", "a name that ends in .csv"});
-  if (auto written = write_files({{picture, encode_png(site.map)}, {yaml, map_yaml(picture)}, {arguments.out, site.stations}}); !written)
-    return complain(written.error());
-  return print(fmt::format("written: {0}, {1}, {2}\ncheck it: waywright check {0} --map {1} --vehicle {3} --clearance 0.05\n",
-                           arguments.out.string(), yaml.string(), picture.string(), vehicle_file.string()))
+  std::vector<NamedContent> files{{picture, encode_png(site.map)}, {yaml, map_yaml(picture)}, {arguments.out, site.stations}};
+  std::string named = fmt::format("{}, {}, {}", arguments.out.string(), yaml.string(), picture.string());
+  if (!arguments.vehicle) {
+    // The program's own example lies where it was built or installed: a copy stands beside the table.
+    const auto text = read_file(vehicle_file, largest_json);
+    if (!text) return complain(text.error());
+    vehicle_file = arguments.out;
+    vehicle_file.replace_extension(".vehicle.json");
+    files.push_back({vehicle_file, *text});
+    named += ", " + vehicle_file.string();
+  }
+  if (auto written = write_files(files); !written) return complain(written.error());
+  return print(fmt::format("written: {2}\ncheck it: waywright check {0} --map {1} --vehicle {3} --clearance 0.05\n",
+                           arguments.out.string(), yaml.string(), named, vehicle_file.string()))
              ? solved
              : not_solved;
 }

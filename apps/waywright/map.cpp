@@ -6,6 +6,7 @@
 #include "numbers.hpp"
 #include "outputs.hpp"
 #include "waywright/io/files.hpp"
+#include "waywright/io/map_io.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/map/world.hpp"
 #include "waywright/report/map_picture.hpp"
@@ -16,7 +17,19 @@ namespace {
 std::string describe(const std::filesystem::path& file, const Map& map) {
   World world{map};
   world.build();
-  const Box box = world.bounds();
+  const auto is_free = [](const CellGrid& grid) { return std::find(grid.blocked.begin(), grid.blocked.end(), 0) != grid.blocked.end(); };
+  const bool cells_alone = map.boundaries.empty() && map.obstacles.empty() && map.lines.empty() && map.points.empty() && !map.grids.empty();
+  const bool full = cells_alone && std::none_of(map.grids.begin(), map.grids.end(), is_free);
+  Box box = world.bounds();
+  if (full) {  // no edge of a free place bounds it
+    std::vector<Vec2> corners;
+    for (const CellGrid& grid : map.grids) {
+      for (const int c : {0, grid.columns}) {
+        for (const int r : {0, grid.rows}) corners.push_back(grid.corner(c, r));
+      }
+    }
+    box = bounding_box(corners);
+  }
   std::string text = fmt::format("{}: x {:.3f} to {:.3f} m, y {:.3f} to {:.3f} m\n", file.string(), box.low.x,
                                  box.high.x, box.low.y, box.high.y);
   for (const CellGrid& grid : map.grids) {
@@ -41,6 +54,7 @@ std::string describe(const std::filesystem::path& file, const Map& map) {
       text += fmt::format("{} {:.4f}", i == 0 ? "; residuals in m:" : ",", residuals[i]);
     text += "\n";
   }
+  if (full) text += "  note: nothing is free: every cell is occupied or unknown\n";
   for (const std::string& note : map.notes) text += "  note: " + note + "\n";
   return text;
 }
@@ -74,8 +88,32 @@ bool is_named(const std::filesystem::path& file, std::string_view ending) {
 std::string picture_of(const MapArguments& arguments, const Map& map, const std::optional<Map>& below, const std::vector<std::pair<Vec2, Vec2>>& pairs) {
   constexpr double width = 1000.0;  // px
   MapPicture picture{&map, arguments.file.filename().string(), below ? &*below : nullptr, arguments.overlay.value_or("").filename().string(), {}};
-  for (const auto& [on_map, in_world] : pairs) picture.pairs.push_back(in_world);
+  std::vector<Vec2> from, to;
+  for (const auto& [on_map, in_world] : pairs) {
+    from.push_back(on_map);
+    to.push_back(in_world);
+  }
+  // By the pairs alone: a map.json may have been placed before, too.
+  if (const auto placed = pairs.empty() ? Parsed<Alignment>{} : align(from, to); placed) {
+    const Frame frame{placed->transform};
+    for (std::size_t i = 0; i < from.size(); ++i) picture.pairs.push_back({frame.to_world(from[i]), to[i]});
+  }
   return map_svg(picture, width);
+}
+
+/// Residuals that are more than reading points off a map leaves, as `plan` warns of those over its clearance.
+std::optional<std::string> alignment_doubt(const Map& map, const std::vector<std::pair<Vec2, Vec2>>& pairs) {
+  constexpr double least = 0.05, share = 0.01;  // m; of the pairs' extent
+  if (!map.alignment || map.alignment->residuals.size() != pairs.size() || pairs.empty()) return std::nullopt;
+  std::vector<Vec2> in_world;
+  for (const auto& pair : pairs) in_world.push_back(pair.second);
+  const Box box = bounding_box(in_world);
+  const double extent = norm(box.high - box.low);
+  const std::vector<double>& residuals = map.alignment->residuals;
+  const auto worst = std::max_element(residuals.begin(), residuals.end());
+  if (*worst <= std::max(least, share * extent)) return std::nullopt;
+  const auto& [from, to] = pairs[static_cast<std::size_t>(worst - residuals.begin())];
+  return fmt::format("the map is {:.3f} m off at the pair {:g},{:g}={:g},{:g} ({:.1f} m lie between the pairs): it may not be where it truly is", *worst, from.x, from.y, to.x, to.y, extent);
 }
 
 }  // namespace
@@ -106,6 +144,7 @@ int map(const MapArguments& arguments) {
   drawing.obstacle_layers = names_from(arguments.obstacle_layers);
   auto map = read_map(arguments.file, pairs, drawing);
   if (!map) return complain(map.error());
+  if (const auto doubt = alignment_doubt(*map, pairs)) note_all({}, {*doubt});
   std::optional<Map> below;
   if (arguments.overlay) {
     dxf::Options of_overlay;

@@ -1,22 +1,19 @@
-// Chains of points: fewer of them, closed, joined.
+// Chains joined to longer ones.
 #pragma once
 
 #include <vector>
 
-#include "waywright/geometry/polygon.hpp"
+#include "waywright/dxf/outline.hpp"
 
 namespace waywright::dxf {
 
-/// Douglas and Peucker: some of the points, first and last among them; no point left out is farther than `tolerance` from its chord.
-Polyline simplified(const Polyline& line, double tolerance);
-
 struct Joined {
-  std::vector<Polyline> closed;  ///< the first point is not repeated
-  std::vector<Polyline> open;
+  std::vector<Chain> closed;  ///< the first corner is not repeated
+  std::vector<Chain> open;
   double widest_gap = 0.0;  ///< m, that was closed
 };
 
 /// Joins lines end to end where exactly two ends meet within rounding, and then where exactly two of those left are within `gap` of each other.
-Joined joined(std::vector<Polyline> lines, double gap);
+Joined joined(std::vector<Chain> lines, double gap);
 
 }  // namespace waywright::dxf

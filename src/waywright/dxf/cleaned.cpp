@@ -10,13 +10,14 @@
 namespace waywright::dxf {
 namespace {
 
+constexpr double least_share = 0.01;  // flatness of a spline's pieces, of its size
+
 /// Groups that say where an entity is and what form it has. Names, styles, handles and other programs' data are not among them.
 bool places(int code) { return (code >= 10 && code < 60) || (code >= 70 && code < 80) || code == 90 || (code >= 210 && code < 240); }
 
 class Cleaner {
  public:
-  Cleaner(const std::string& name, const Drawing& drawing, double tolerance, double above, double up_to)
-      : name_{name}, drawing_{drawing}, tolerance_{tolerance}, above_{above}, up_to_{up_to} {
+  Cleaner(const std::string& name, const Drawing& drawing, double tolerance) : name_{name}, drawing_{drawing}, tolerance_{tolerance} {
     out_ = "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1021\n0\nENDSEC\n0\nSECTION\n2\nBLOCKS\n";
   }
 
@@ -47,11 +48,11 @@ class Cleaner {
     return block_ != nullptr ? take_entity(item) : std::nullopt;
   }
 
-  std::string finish() {
+  Cleaned finish() {
     if (!any_) return {};
     if (!in_entities_) out_ += "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
     out_ += "0\nENDSEC\n0\nEOF\n";
-    return std::move(out_);
+    return {std::move(out_), std::move(curves_)};
   }
 
  private:
@@ -75,32 +76,38 @@ class Cleaner {
       return std::nullopt;
     }
     if (!is_outline(item)) return std::nullopt;
-    const double flat = tolerance_ / std::max(block_->scale, 1e-9);
-    const double radius = block_->scale * largest_radius(item, flat);
-    if (!(radius > above_) || radius > up_to_) return std::nullopt;
     if (item.type == "LWPOLYLINE" && !item.find(10)) return std::nullopt;  // of no corners: GDAL would refuse the whole drawing
     any_ = true;
     if (item.type == "SPLINE") return take_spline(item, token);
-    begin(item.type, token, fmt::format("{}{}", item.type, is_curved(item) ? "~" : ""));
-    if (item.type == "POLYLINE") return take_vertices(item, token, flat);
-    if (item.type == "LWPOLYLINE") return take_corners(item, flat);
+    if (is_curved(item)) {
+      // An ellipse's points are the world's already; those of the others lie in the plane that the extrusion gives.
+      take_curve(curve_of(item), token, fmt::format("{}~", item.type), item.type == "ELLIPSE" ? nullptr : &item);
+      return std::nullopt;
+    }
+    begin(item.type, token, std::string{item.type});
+    if (item.type == "POLYLINE") return take_vertices(item, token);
     for (const Group& group : item.groups) {
-      if (places(group.code)) put(group.code, group.value);
+      if (places(group.code) && group.code != 42) put(group.code, group.value);
     }
     return std::nullopt;
   }
 
-  /// Arcs that are straight within the tolerance become so: their radius, which may be any, would ask for tiny chords of all others.
-  std::optional<InputError> take_corners(const Item& item, double flat) {
-    const std::vector<bool> arcs = arcs_of(item, flat);
-    std::size_t corners = 0;
-    for (const Group& group : item.groups) {
-      corners += group.code == 10 ? 1 : 0;
-      const bool is_flat = group.code == 42 && (corners == 0 || !arcs[corners - 1]);
-      if (group.code == 90) put(90, fmt::format("{}", arcs.size()));
-      else if (places(group.code) && !is_flat) put(group.code, group.value);
+  /// Its points as those of a polyline; what they are is kept beside. GDAL transforms points, which does the same to the curve.
+  void take_curve(const Chain& chain, const std::string& layer, const std::string& tag, const Item* plane) {
+    begin("LWPOLYLINE", layer, fmt::format("{}{}", tag, curves_.size()));
+    put(90, fmt::format("{}", chain.size()));
+    put(70, "0");
+    if (plane != nullptr) {
+      const int height = plane->type == "LWPOLYLINE" ? 38 : 30;
+      put(38, fmt::format("{}", number(*plane, height, 0.0)));
+      for (const int code : {210, 220, 230}) put(code, fmt::format("{}", number(*plane, code, code == 230 ? 1.0 : 0.0)));
     }
-    return std::nullopt;
+    std::vector<double>& weights = curves_.emplace_back();
+    weights.reserve(chain.size());
+    for (const Knot& knot : chain) {
+      fmt::format_to(std::back_inserter(out_), "10\n{}\n20\n{}\n", knot.at.x, knot.at.y);
+      weights.push_back(knot.weight);
+    }
   }
 
   void begin(std::string_view type, const std::string& layer, const std::string& tag) {
@@ -109,9 +116,7 @@ class Cleaner {
     out_ += "100\nWW " + tag + "\n";
   }
 
-  std::optional<InputError> take_vertices(const Item& item, const std::string& layer, double flat) {
-    const std::vector<bool> arcs = arcs_of(item, flat);
-    std::size_t vertex = 0;
+  std::optional<InputError> take_vertices(const Item& item, const std::string& layer) {
     put(66, "1");
     std::size_t i = 0;
     for (; i < item.groups.size() && item.groups[i].code != 0; ++i) {
@@ -129,10 +134,9 @@ class Cleaner {
         put(8, layer);
         for (std::size_t k = i + 1; k < end; ++k) {
           const int code = item.groups[k].code;
-          if (code == 10 || code == 20 || code == 30 || (code == 42 && arcs[vertex])) put(code, item.groups[k].value);
+          if (code == 10 || code == 20 || code == 30) put(code, item.groups[k].value);
         }
       }
-      ++vertex;
       i = end;
     }
     put(0, "SEQEND");
@@ -141,41 +145,40 @@ class Cleaner {
 
   std::optional<InputError> take_spline(const Item& item, const std::string& layer) {
     const double scale = std::max(block_->scale, 1e-9);
-    std::vector<Vec2> corners = fit_points_of(item);
-    std::string tag = "SPLINE?";  // by its fit points alone
+    const auto wrong = [&](std::string problem, const char* allowed) {
+      return InputError{name_, fmt::format("line {} (SPLINE on layer {})", item.line, one_line(std::string{item.text(8)})), std::move(problem), allowed};
+    };
     if (const SplineCurve curve = spline_of(item); !curve.controls.empty()) {
-      auto found = chords(curve, tolerance_ / scale);
+      // A closed curve that is small against the tolerance keeps a form, too.
+      const Box box = bounding_box(curve.controls);
+      auto found = pieces(curve, std::min(tolerance_ / scale, std::max(least_share * norm(box.high - box.low), 1e-12)));
       if (const auto* problem = std::get_if<std::string>(&found)) {
-        return InputError{name_, fmt::format("line {} (SPLINE on layer {})", item.line, one_line(std::string{item.text(8)})), *problem,
-                          "a spline of degree 1 to 15 with n + degree + 1 rising knots for n control points of positive weight"};
+        return wrong(*problem, "a spline of degree 1 to 15 with n + degree + 1 rising knots for n control points of positive weight");
       }
-      corners = std::move(std::get<0>(found));
-      tag = "SPLINE";
+      return take_curve(std::get<Chain>(found), layer, "SPLINE~", nullptr), std::nullopt;
     }
-    if (corners.size() < 2) {
-      return InputError{name_, fmt::format("line {} (SPLINE on layer {})", item.line, one_line(std::string{item.text(8)})), "the spline has no points",
-                        "control points or fit points"};
-    }
-    begin("LWPOLYLINE", layer, tag);
+    const std::vector<Vec2> corners = fit_points_of(item);
+    if (corners.size() < 2) return wrong("the spline has no points", "control points or fit points");
+    begin("LWPOLYLINE", layer, "SPLINE?");
     put(90, fmt::format("{}", corners.size()));
-    const bool closed = tag == "SPLINE?" && (whole_number(item, 70, 0) & 1) != 0;
-    put(70, closed ? "1" : "0");
+    put(70, (whole_number(item, 70, 0) & 1) != 0 ? "1" : "0");
     for (const Vec2 p : corners) fmt::format_to(std::back_inserter(out_), "10\n{}\n20\n{}\n", p.x, p.y);
     return std::nullopt;
   }
 
   const std::string& name_;
   const Drawing& drawing_;
-  double tolerance_, above_, up_to_;
+  double tolerance_;
   const Block* block_ = nullptr;
   bool in_entities_ = false, any_ = false;
   std::string out_;
+  std::vector<std::vector<double>> curves_;
 };
 
 }  // namespace
 
-Parsed<std::string> cleaned(std::string_view text, const std::string& name, const Drawing& drawing, double tolerance, double above, double up_to) {
-  Cleaner cleaner{name, drawing, tolerance, above, up_to};
+Parsed<Cleaned> cleaned(std::string_view text, const std::string& name, const Drawing& drawing, double tolerance) {
+  Cleaner cleaner{name, drawing, tolerance};
   if (auto error = walk(text, name, [&](Section section, const Item& item) { return cleaner.take(section, item); })) return tl::unexpected{*error};
   return cleaner.finish();
 }

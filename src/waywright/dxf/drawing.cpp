@@ -79,7 +79,6 @@ class Scan {
       const Block& from = drawing_.blocks[i];
       if (from.times == 0.0) continue;
       drawing_.expanded += from.times * from.entities;
-      drawing_.largest_radius = std::max(drawing_.largest_radius, from.scale * from.largest_radius);
       for (const auto& [kind, count] : from.left_out) drawing_.left_out[kind] += from.times * count;
       double inserted = 0.0;
       for (const Block::Insert& insert : from.inserts) {
@@ -163,7 +162,6 @@ class Scan {
     if (auto error = check_numbers(item, name_)) return error;
     if (block_ == 0) grow(item);
     ++into.entities;
-    into.largest_radius = std::max(into.largest_radius, dxf::largest_radius(item));
     return std::nullopt;
   }
 

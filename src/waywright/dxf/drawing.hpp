@@ -33,7 +33,6 @@ struct Block {
   bool external = false;  ///< a reference to another file, which is not here
   std::vector<Insert> inserts;
   double entities = 0.0;       ///< that can be taken
-  double largest_radius = 0.0;
   Counts left_out;
   double times = 0.0;  ///< instances in model space; 0: not used
   double scale = 0.0;  ///< greatest of any instance
@@ -47,7 +46,6 @@ struct Drawing {
   Counts left_out;                 ///< of kinds that are no outlines, in all instances
   double in_paper_space = 0.0, invisible = 0.0, on_frozen_inserts = 0.0, missing_blocks = 0.0, external_blocks = 0.0;
   double expanded = 0.0;         ///< entities that can be taken, in all instances
-  double largest_radius = 0.0;   ///< of an arc or an ellipse, scaled, in drawing units
   Box box{};                     ///< about the points of model space, roughly; of size 0 where there are none
 };
 
@@ -55,10 +53,14 @@ struct Drawing {
 /// entities than can be kept.
 Parsed<Drawing> scan(std::string_view text, const std::string& name);
 
+/// A drawing of straight lines alone, for GDAL, which inserts its blocks.
+struct Cleaned {
+  std::string text;  ///< empty where there is nothing to take
+  std::vector<std::vector<double>> curves;  ///< the knots' weights of each curve, whose points are a polyline's in the text
+};
+
 /// The same drawing with nothing but what can be taken, layers and blocks by number ("0", "L7", "B3"), each entity with a group 100 that
-/// holds its kind ("WW ARC~": curved). Splines are chorded within `tolerance` (drawing units). Only entities whose largest radius, scaled,
-/// is above `above` and at most `up_to` (straight ones have 0).
-/// @return empty where there are none
-Parsed<std::string> cleaned(std::string_view text, const std::string& name, const Drawing& drawing, double tolerance, double above, double up_to);
+/// holds its kind ("WW ARC~12": the curve 12). Splines are cut into pieces whose hulls are flat within `tolerance` (drawing units).
+Parsed<Cleaned> cleaned(std::string_view text, const std::string& name, const Drawing& drawing, double tolerance);
 
 }  // namespace waywright::dxf

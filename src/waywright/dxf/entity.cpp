@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "waywright/core/angle.hpp"
+
 namespace waywright::dxf {
 namespace {
 
@@ -23,6 +25,7 @@ bool is_angle(std::string_view type, int code) {
 struct Corner {
   Vec2 at{};
   double bulge = 0.0;
+  bool frame = false;  // a control point of a smoothed polyline, which is not on it
 };
 
 std::vector<Corner> corners_of(const Item& polyline) {
@@ -40,7 +43,9 @@ std::vector<Corner> corners_of(const Item& polyline) {
     if (group.code == 10) corners.back().at.x = number_from(group.value).value_or(0.0);
     if (group.code == 20) corners.back().at.y = number_from(group.value).value_or(0.0);
     if (group.code == 42) corners.back().bulge = number_from(group.value).value_or(0.0);
+    if (group.code == 70 && !light) corners.back().frame = (static_cast<int>(std::clamp(number_from(group.value).value_or(0.0), 0.0, 65535.0)) & 16) != 0;
   }
+  std::erase_if(corners, [](const Corner& c) { return c.frame; });
   return corners;
 }
 
@@ -84,8 +89,10 @@ bool is_outline(const Item& entity) {
 
 bool is_curved(const Item& entity) {
   if (entity.type == "LWPOLYLINE" || entity.type == "POLYLINE") {
+    constexpr int in_space = 8;  // of its vertices only the places count
+    if (entity.type == "POLYLINE" && (whole_number(entity, 70, 0) & in_space) != 0) return false;
     const auto corners = corners_of(entity);
-    return std::any_of(corners.begin(), corners.end(), [](const Corner& c) { return c.bulge != 0.0; });
+    return std::any_of(corners.begin(), corners.end(), [](const Corner& c) { return std::abs(c.bulge) >= least_bulge; });
   }
   return entity.type != "LINE" && entity.type != "SOLID" && entity.type != "TRACE";
 }
@@ -116,39 +123,39 @@ int whole_number(const Item& entity, int code, int otherwise) {
   return value;
 }
 
-namespace {
-
-/// |bulge| and chord of the arc that begins at a corner.
-std::pair<double, double> arc_at(const std::vector<Corner>& corners, std::size_t i) {
-  const double bulge = std::abs(corners[i].bulge);
-  return {bulge < least_bulge ? 0.0 : bulge, distance(corners[i].at, corners[(i + 1) % corners.size()].at)};
-}
-
-bool rises(double bulge, double chord, double flat) { return 0.5 * chord * bulge > flat; }
-
-}  // namespace
-
-double largest_radius(const Item& entity, double flat) {
-  if (entity.type == "ARC" || entity.type == "CIRCLE") return std::abs(number(entity, 40, 0.0));
-  if (entity.type == "ELLIPSE") return norm({number(entity, 11, 0.0), number(entity, 21, 0.0)}) * std::max(1.0, std::abs(number(entity, 40, 1.0)));
-  if (entity.type != "LWPOLYLINE" && entity.type != "POLYLINE") return 0.0;
-  double radius = 0.0;
+Chain curve_of(const Item& entity) {
+  const Vec2 at{number(entity, 10, 0.0), number(entity, 20, 0.0)};
+  if (entity.type == "CIRCLE" || entity.type == "ARC") {
+    const double radius = std::abs(number(entity, 40, 0.0)), from = number(entity, 50, 0.0);
+    double sweep = entity.type == "ARC" ? std::fmod(number(entity, 51, 0.0) - from, 360.0) : 360.0;
+    if (sweep <= 0.0) sweep += 360.0;
+    return elliptic_arc(at, {radius, 0.0}, {0.0, radius}, entity.type == "ARC" ? from * pi / 180.0 : 0.0, sweep < 360.0 ? sweep * pi / 180.0 : two_pi);
+  }
+  if (entity.type == "ELLIPSE") {
+    // Its points are those of the world. The normal says on which side of the major axis the minor one lies.
+    const Vec2 major{number(entity, 11, 1.0), number(entity, 21, 0.0)};
+    const double height = number(entity, 31, 0.0), ratio = number(entity, 40, 1.0);
+    Vec2 normal{number(entity, 210, 0.0), number(entity, 220, 0.0)};
+    double up = number(entity, 230, 1.0);
+    const double length = std::hypot(normal.x, normal.y, up);
+    if (length > 0.0) normal = (1.0 / length) * normal, up /= length;
+    else up = 1.0;
+    const Vec2 minor = ratio * (up * left_of(major) - height * left_of(normal));
+    const double from = number(entity, 41, 0.0);
+    double sweep = std::fmod(number(entity, 42, two_pi) - from, two_pi);
+    if (sweep <= 1e-9) sweep += two_pi;  // written with some digits, a whole turn may be a little more than one
+    return elliptic_arc(at, major, minor, from, std::min(sweep, two_pi));
+  }
+  const bool closed = (whole_number(entity, 70, 0) & 1) != 0;
   const auto corners = corners_of(entity);
+  Chain chain;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const auto [bulge, chord] = arc_at(corners, i);
-    if (rises(bulge, chord, flat)) radius = std::max(radius, 0.25 * chord * (bulge + 1.0 / bulge));
+    if (chain.empty()) chain.push_back({corners[i].at});
+    if (i + 1 == corners.size() && !closed) break;
+    const double bulge = std::abs(corners[i].bulge) < least_bulge ? 0.0 : corners[i].bulge;
+    add_arc(chain, corners[(i + 1) % corners.size()].at, bulge);
   }
-  return radius;
-}
-
-std::vector<bool> arcs_of(const Item& polyline, double flat) {
-  const auto corners = corners_of(polyline);
-  std::vector<bool> arcs(corners.size());
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const auto [bulge, chord] = arc_at(corners, i);
-    arcs[i] = rises(bulge, chord, flat);
-  }
-  return arcs;
+  return chain;
 }
 
 SplineCurve spline_of(const Item& entity) {

@@ -5,6 +5,7 @@
 
 #include "waywright/dxf/drawing.hpp"
 #include "waywright/dxf/groups.hpp"
+#include "waywright/dxf/outline.hpp"
 #include "waywright/dxf/spline.hpp"
 
 namespace waywright::dxf {
@@ -23,12 +24,9 @@ std::optional<InputError> check_numbers(const Item& entity, const std::string& f
 double number(const Item& entity, int code, double otherwise);
 int whole_number(const Item& entity, int code, int otherwise);
 
-/// Radius of the largest arc in it; half axes of ellipses. Of polylines, arcs that rise no more than `flat` (drawing units) over their chord are
-/// straight.
-double largest_radius(const Item& entity, double flat = 0.0);
-
-/// Of a polyline, for each corner: does an arc begin there that rises more than `flat` over its chord?
-std::vector<bool> arcs_of(const Item& polyline, double flat);
+/// Of ARC, CIRCLE, ELLIPSE and polylines with bulges: the curve in the coordinates that the entity's points have. Closed ones end at the
+/// corner at which they begin.
+Chain curve_of(const Item& entity);
 
 SplineCurve spline_of(const Item& entity);
 std::vector<Vec2> fit_points_of(const Item& entity);

@@ -69,8 +69,11 @@ int receive(void* self, const char* layer, const char* tag, const double* xy, st
     piece.kind = tag;
     if (piece.kind.starts_with("WW ")) piece.kind.erase(0, 3);
     piece.by_fit_points = piece.kind.ends_with('?');
-    piece.curved = piece.kind.ends_with('~');
-    if (piece.by_fit_points || piece.curved) piece.kind.pop_back();
+    if (piece.by_fit_points) piece.kind.pop_back();
+    if (const std::size_t mark = piece.kind.find('~'); mark != std::string::npos) {
+      std::from_chars(piece.kind.data() + mark + 1, piece.kind.data() + piece.kind.size(), piece.curve.emplace());
+      piece.kind.erase(mark);
+    }
     piece.points.reserve(points);
     for (std::size_t i = 0; i < points; ++i) piece.points.push_back({xy[2 * i], xy[2 * i + 1]});
     return receiver.take(std::move(piece)) ? 0 : 1;
@@ -82,7 +85,7 @@ int receive(void* self, const char* layer, const char* tag, const double* xy, st
 
 }  // namespace
 
-Parsed<void> expand(const std::string& cleaned, const std::string& name, double arc_step, const std::function<bool(Piece&&)>& take) {
+Parsed<void> expand(const std::string& cleaned, const std::string& name, const std::function<bool(Piece&&)>& take) {
   static const Module module = open_module();
   if (module.read == nullptr) {
     return tl::unexpected{InputError{name, "", "DXF cannot be read: " + one_line(module.problem),
@@ -90,7 +93,7 @@ Parsed<void> expand(const std::string& cleaned, const std::string& name, double 
   }
   Receiver receiver{take, {}};
   std::array<char, 256> message{};
-  const int wrong = module.read(cleaned.data(), cleaned.size(), arc_step, receive, &receiver, message.data(), message.size());
+  const int wrong = module.read(cleaned.data(), cleaned.size(), receive, &receiver, message.data(), message.size());
   if (receiver.thrown) std::rethrow_exception(receiver.thrown);
   if (wrong != 0) return tl::unexpected{InputError{name, "", "GDAL cannot read the drawing: " + one_line(message.data()), "a drawing that CAD programs open"}};
   return {};

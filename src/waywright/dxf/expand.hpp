@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,13 +16,13 @@ namespace waywright::dxf {
 struct Piece {
   std::string kind;       ///< "LINE", "ARC" …
   std::size_t layer = 0;  ///< index of the drawing's layers
-  bool curved = false;
+  std::optional<std::size_t> curve;  ///< its points are the knots of this one of the cleaned drawing
   bool by_fit_points = false;  ///< a spline whose form is not known between its points
   std::vector<Vec2> points;
 };
 
-/// Calls `take` for each piece of a cleaned drawing, in its order, until it returns false. Chords of arcs turn by at most `arc_step`
-/// degrees. Refuses where the module is missing or GDAL cannot read the drawing.
-Parsed<void> expand(const std::string& cleaned, const std::string& name, double arc_step, const std::function<bool(Piece&&)>& take);
+/// Calls `take` for each piece of a cleaned drawing, in its order, until it returns false.
+/// Refuses where the module is missing or GDAL cannot read the drawing.
+Parsed<void> expand(const std::string& cleaned, const std::string& name, const std::function<bool(Piece&&)>& take);
 
 }  // namespace waywright::dxf

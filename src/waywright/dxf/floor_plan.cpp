@@ -11,13 +11,11 @@
 #include "waywright/dxf/drawing.hpp"
 #include "waywright/dxf/expand.hpp"
 #include "waywright/dxf/layers.hpp"
+#include "waywright/dxf/outline.hpp"
 
 namespace waywright::dxf {
 namespace {
 
-constexpr double least_step = 0.01, most_step = 15.0;      // degrees of one chord: 0.01 serves up to 130 km within 1 mm
-constexpr double class_width = 16.0;                       // of radii that are read with one step: four times the points that it takes, at most
-constexpr std::size_t most_raw_points = 100'000'000;     // as GDAL gives them
 constexpr std::size_t most_points = 4'000'000;             // of the whole plan; a map holds half as many edges
 constexpr double least_size = 2.0, most_size = 1000.0;     // m, of a floor plan whose unit nobody has given
 constexpr double outline_share = 0.5;                      // of the other pieces, that an outline of the plan is about
@@ -48,14 +46,15 @@ Parsed<Unit> unit_of(const Drawing& drawing, const std::string& name, const Opti
 std::string count_of(double n, const char* one, const char* more) { return fmt::format("{:.0f} {}", n, n == 1.0 ? one : more); }
 std::string count_of(std::size_t n, const char* one, const char* more) { return count_of(static_cast<double>(n), one, more); }
 
+std::string millimetres(double v) { return v < 0.01 ? fmt::format("{:.2g} mm", 1e3 * v) : fmt::format("{:.0f} mm", 1e3 * v); }
+
 std::string metres(double v) { return v < 1000.0 ? fmt::format("{:.3g} m", v) : fmt::format("{:.3g} km", v / 1000.0); }
 
 /// A unit out of the header is believed where it gives the size of a hall: drawings often name one and are drawn in another.
-std::optional<InputError> check_size(const std::vector<Piece>& pieces, const Unit& unit, const std::string& name) {
+std::optional<InputError> check_size(const std::vector<Box>& boxes, const Unit& unit, const std::string& name) {
   Box box{};
   bool any = false;
-  for (const Piece& piece : pieces) {
-    const Box b = bounding_box(piece.points);
+  for (const Box& b : boxes) {
     box = any ? Box{{std::min(box.low.x, b.low.x), std::min(box.low.y, b.low.y)}, {std::max(box.high.x, b.high.x), std::max(box.high.y, b.high.y)}} : b;
     any = true;
   }
@@ -79,20 +78,23 @@ class Plan {
       : drawing_{drawing}, name_{name}, options_{options}, roles_{std::move(roles)} {}
 
   std::optional<InputError> read(std::string_view text, const Unit& unit) {
-    // Half of the tolerance for what GDAL makes of arcs, half for leaving out points of it. GDAL has one step for all arcs, so that the
-    // largest would make far too many points of the small ones: they are read by classes of radius.
-    const double tolerance = 0.5 * options_.tolerance / unit.metres;
-    deviation_ = options_.tolerance;
-    for (double radius = drawing_.largest_radius; !last_class_;) {
-      const double step = step_for(radius, tolerance);
-      last_class_ = step >= most_step || radius == 0.0;
-      const double next = radius / class_width;
-      const std::size_t before = raw_points_;
-      if (auto error = read_class(text, unit, tolerance, step, last_class_ ? -1.0 : next, radius)) return error;
-      if (step <= least_step && raw_points_ > before) deviation_ = std::max(deviation_, (tolerance + radius * (1.0 - std::cos(0.5 * step * pi / 180.0))) * unit.metres);
-      radius = next;
+    // A spline's piece has its hull within half of the tolerance of its chord, so that both are within the whole of each other.
+    auto clean = cleaned(text, name_, drawing_, 0.5 * options_.tolerance / unit.metres);
+    if (!clean) return clean.error();
+    if (!clean->text.empty()) {
+      std::optional<InputError> error;
+      auto expanded = expand(clean->text, name_, [&](Piece&& piece) {
+        error = take(std::move(piece), unit, clean->curves);
+        return !error;
+      });
+      if (!expanded) return expanded.error();
+      if (error) return error;
     }
-    if (options_.unit.empty() && !pieces_.empty()) return check_size(pieces_, unit, name_);
+    if (options_.unit.empty() && !pieces_.empty()) {
+      std::vector<Box> boxes;
+      for (const Taken& taken : pieces_) boxes.push_back(bounding_box(taken.piece.points));
+      return check_size(boxes, unit, name_);
+    }
     return std::nullopt;
   }
 
@@ -103,15 +105,15 @@ class Plan {
     }
     note_taken(unit);
     find_outline();
-    std::vector<Polyline> boundary_lines;
+    std::vector<Chain> boundary_lines;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      Piece& piece = pieces_[i];
-      const bool boundary = roles_[piece.layer] == Role::boundary;
-      const bool closed = is_closed(piece);
-      if (boundary && !closed) boundary_lines.push_back(std::move(piece.points));
-      else if (closed && i == outline_) add_walls(std::move(piece.points));
-      else if (closed) add_ring(std::move(piece), boundary, i == room_);
-      else plan_.lines.push_back(std::move(piece.points));
+      Taken& taken = pieces_[i];
+      const bool boundary = roles_[taken.piece.layer] == Role::boundary;
+      const bool closed = is_closed(taken);
+      if (boundary && !closed) boundary_lines.push_back(taken.curve.empty() ? chain_of(taken.piece.points) : std::move(taken.curve));
+      else if (closed && i == outline_) add_walls(std::move(taken.piece.points));
+      else if (closed) add_ring(std::move(taken), boundary, i == room_);
+      else add_line(std::move(taken.piece.points));
     }
     join_boundary(std::move(boundary_lines));
     note_repairs();
@@ -120,25 +122,13 @@ class Plan {
   }
 
  private:
-  static double step_for(double radius, double tolerance) {
-    const double needed = radius > tolerance ? 2.0 * std::acos(1.0 - tolerance / radius) * 180.0 / pi : most_step;
-    return std::clamp(needed, least_step, most_step);
-  }
+  /// What came of GDAL, and of a curve what it is, too.
+  struct Taken {
+    Piece piece;  ///< its points: in m, of a curve chords with their corners on it
+    Chain curve;  ///< empty: straight
+  };
 
-  std::optional<InputError> read_class(std::string_view text, const Unit& unit, double tolerance, double step, double above, double up_to) {
-    auto clean = cleaned(text, name_, drawing_, tolerance, above, up_to);
-    if (!clean) return clean.error();
-    if (clean->empty()) return std::nullopt;
-    std::optional<InputError> error;
-    auto expanded = expand(*clean, name_, step, [&](Piece&& piece) {
-      error = take(std::move(piece), unit);
-      return !error;
-    });
-    return expanded ? error : expanded.error();
-  }
-
-  std::optional<InputError> take(Piece&& piece, const Unit& unit) {
-    raw_points_ += piece.points.size();
+  std::optional<InputError> take(Piece&& piece, const Unit& unit, const std::vector<std::vector<double>>& curves) {
     const Role role = roles_[piece.layer];
     if (role != Role::obstacle && role != Role::boundary) {
       ++(role == Role::off ? off_ : role == Role::frozen ? frozen_ : left_)[{piece.kind, piece.layer}];
@@ -148,15 +138,30 @@ class Plan {
       p = unit.metres * p;
       if (!is_finite(p)) return InputError{name_, "", fmt::format("a {} on layer {} reaches a point that is not finite once its block is inserted", piece.kind, drawing_.layers[piece.layer].name), "numbers of a floor plan's size"};
     }
-    if (piece.curved || piece.kind == "SPLINE") piece.points = simplified(piece.points, 0.5 * options_.tolerance);
+    Chain curve;
+    const bool is_a_place = std::all_of(piece.points.begin(), piece.points.end(), [&](Vec2 p) { return p == piece.points.front(); });
+    if (piece.curve && !is_a_place) {
+      const std::size_t index = *piece.curve;
+      if (index >= curves.size() || curves[index].size() != piece.points.size()) {
+        return InputError{name_, "", fmt::format("GDAL changed the number of points of a {} on layer {}", piece.kind, drawing_.layers[piece.layer].name), "a drawing that CAD programs open"};
+      }
+      for (std::size_t i = 0; i < piece.points.size(); ++i) curve.push_back({piece.points[i], curves[index][i]});
+      auto on_curve = chords_of(curve, false, Side::on, options_.tolerance, most_points);
+      if (!on_curve) return too_many_points();
+      piece.points = std::move(*on_curve);
+    }
     piece.points.erase(std::unique(piece.points.begin(), piece.points.end()), piece.points.end());
-    if (piece.points.size() < 2) return ++empty_, std::nullopt;
-    points_ += piece.points.size();
-    if (points_ > most_points || raw_points_ > most_raw_points) return InputError{name_, "", fmt::format("it needs more than {} points", most_points), "fewer entities, named by obstacle_layers, or a coarser tolerance"};
+    if (piece.points.size() < 2 && curve.empty()) return ++empty_, std::nullopt;
+    points_ += piece.points.size() + curve.size();
+    if (points_ > most_points) return too_many_points();
     by_fit_points_ += piece.by_fit_points ? 1 : 0;
     ++taken_[{piece.kind, piece.layer}];
-    pieces_.push_back(std::move(piece));
+    pieces_.push_back({std::move(piece), std::move(curve)});
     return std::nullopt;
+  }
+
+  InputError too_many_points() const {
+    return InputError{name_, "", fmt::format("it needs more than {} points", most_points), "fewer entities, named by obstacle_layers, or a coarser tolerance"};
   }
 
   void note(std::string text) { plan_.notes.push_back(std::filesystem::path{name_}.filename().string() + ": " + std::move(text)); }
@@ -182,18 +187,20 @@ class Plan {
     if (by_fit_points_ > 0) {
       note(count_of(by_fit_points_, "spline is given by its fit points alone, which were joined by straight lines: look at it", "splines are given by fit points alone, which were joined by straight lines: look at them"));
     }
-    if (std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.curved || p.kind == "SPLINE"; })) {
-      note(fmt::format("curves are drawn by chords no farther than {:.2g} mm from them", 1e3 * deviation_));
+    if (std::any_of(pieces_.begin(), pieces_.end(), [](const Taken& t) { return !t.curve.empty(); })) {
+      note(fmt::format("curves are taken as chords no farther than {} from them: solids contain their outline, a boundary lies within its own, lines may lie on either side", millimetres(options_.tolerance)));
     }
   }
 
   /// Closed as it is, or nearly.
-  bool is_closed(Piece& piece) {
-    if (piece.points.size() < 3) return false;
+  bool is_closed(Taken& taken) {
+    Piece& piece = taken.piece;
+    if (std::max(piece.points.size(), taken.curve.size()) < 3) return false;
     const double gap = distance(piece.points.front(), piece.points.back());
     if (gap == 0.0) {
-      piece.points.pop_back();
-      return piece.points.size() > 2;
+      if (piece.points.size() > 1) piece.points.pop_back();
+      if (!taken.curve.empty()) taken.curve.pop_back();
+      return std::max(piece.points.size(), taken.curve.size()) > 2;
     }
     if (piece.kind == "SOLID" || piece.kind == "TRACE") return true;
     const Box box = bounding_box(piece.points);
@@ -211,7 +218,7 @@ class Plan {
     double largest = 0.0;
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      const Piece& piece = pieces_[i];
+      const Piece& piece = pieces_[i].piece;
       boxes.push_back(bounding_box(piece.points));
       const double gap = distance(piece.points.front(), piece.points.back());
       if (roles_[piece.layer] != Role::obstacle || piece.points.size() < 4 || gap > options_.closing) continue;
@@ -223,39 +230,49 @@ class Plan {
     }
     if (outline_ == none) return;
     std::size_t within = 0, others = 0;
-    const auto inside = [&](Vec2 p) { return contains(pieces_[outline_].points, p); };
+    const auto inside = [&](Vec2 p) { return contains(pieces_[outline_].piece.points, p); };
     // Of very many pieces in an outline of very many corners, some stand for all.
-    const std::size_t stride = 1 + pieces_.size() * pieces_[outline_].points.size() / most_comparisons;
+    const std::size_t stride = 1 + pieces_.size() * pieces_[outline_].piece.points.size() / most_comparisons;
     for (std::size_t i = 0; i < pieces_.size(); i += stride) {
       if (i == outline_) continue;
       ++others;
-      within += inside(0.5 * (boxes[i].low + boxes[i].high)) && inside(pieces_[i].points.front()) ? 1 : 0;
+      within += inside(0.5 * (boxes[i].low + boxes[i].high)) && inside(pieces_[i].piece.points.front()) ? 1 : 0;
     }
-    const std::string& layer = drawing_.layers[pieces_[outline_].layer].name;
+    const std::string& layer = drawing_.layers[pieces_[outline_].piece.layer].name;
     const bool is_about_most = static_cast<double>(within) >= outline_share * static_cast<double>(others);
     if (within < least_within_outline || !is_about_most) {
       if (is_about_most && options_.boundary_layer.empty() && largest >= least_room) {
         const std::string rest = others == 0 ? "and there is nothing else" : within == others ? "with everything else inside" : fmt::format("with {} of the {} others inside", within, others);
         room_ = outline_;
-        room_note_ = fmt::format("the largest closed {} ({:.1f} m², on {}) is taken as solid, {}: if it is the outline of a room, name its layer as boundary_layer", pieces_[outline_].kind, largest, layer, rest);
+        room_note_ = fmt::format("the largest closed {} ({:.1f} m², on {}) is taken as solid, {}: if it is the outline of a room, name its layer as boundary_layer", pieces_[outline_].piece.kind, largest, layer, rest);
       }
       outline_ = none;
       return;
     }
-    note(fmt::format("the largest closed {} ({:.1f} m², on {}) is about most of the rest: taken as walls, not as solid (boundary_layer makes it the boundary)", pieces_[outline_].kind, largest, layer));
+    // Where others are closed on its layer, too, they would be boundaries beside each other, which is refused.
+    const auto closed_there = std::count_if(pieces_.begin(), pieces_.end(), [&](const Taken& other) {
+      return other.piece.layer == pieces_[outline_].piece.layer && distance(other.piece.points.front(), other.piece.points.back()) <= options_.closing;
+    });
+    note(fmt::format("the largest closed {} ({:.1f} m², on {}) is about most of the rest: taken as walls, not as solid ({})", pieces_[outline_].piece.kind, largest, layer,
+                     closed_there > 1 ? "on a layer of its own, boundary_layer would make it the boundary" : "boundary_layer makes it the boundary"));
   }
 
   void add_walls(Polyline ring) {
+    if (ring.empty()) return;
     ring.push_back(ring.front());
-    plan_.lines.push_back(std::move(ring));
+    add_line(std::move(ring));
   }
 
-  void add_ring(Piece piece, bool boundary, bool may_be_room) {
-    Polyline points = std::move(piece.points);
-    if (piece.kind == "SOLID" || piece.kind == "TRACE") mend_bow_tie(points);
-    RingRepair repair = repair_ring(points);
+  void add_line(Polyline line) {
+    if (line.size() > 1) plan_.lines.push_back(std::move(line));
+  }
+
+  void add_ring(Taken taken, bool boundary, bool may_be_room) {
+    Polyline points = std::move(taken.piece.points);
+    if (taken.piece.kind == "SOLID" || taken.piece.kind == "TRACE") mend_bow_tie(points);
+    RingRepair repair = taken.curve.empty() ? repair_ring(points) : ring_beside(taken.curve, boundary);
     if (repair.refused) {
-      if (refused_ == 0) first_refused_ = fmt::format("a {} on {}, {}", piece.kind, drawing_.layers[piece.layer].name, *repair.refused);
+      if (refused_ == 0) first_refused_ = fmt::format("a {} on {}, {}", taken.piece.kind, drawing_.layers[taken.piece.layer].name, *repair.refused);
       ++refused_;
       return add_walls(std::move(points));
     }
@@ -264,36 +281,59 @@ class Plan {
     if (may_be_room) note(room_note_);
   }
 
+  /// A ring that contains what a closed curve encloses; of a boundary, one that lies within it. Where the chords of both sides of something narrow
+  /// cross, finer ones do not. Where even these do, as in a notch without width, a solid becomes its hull; a curve that crosses itself is refused.
+  RingRepair ring_beside(const Chain& curve, bool boundary) {
+    const Side outer = signed_area(curve) > 0.0 ? Side::right : Side::left, inner = outer == Side::right ? Side::left : Side::right;
+    RingRepair repair;
+    double tolerance = options_.tolerance;
+    for (int finer = 0; finer < 3; ++finer, tolerance *= 0.125) {
+      auto ring = chords_of(curve, true, boundary ? inner : outer, tolerance, most_points);
+      if (!ring) break;
+      repair = repair_ring(std::move(*ring));
+      if (!repair.refused) return repair;
+    }
+    if (boundary) return repair;
+    const auto on_curve = chords_of(curve, true, Side::on, tolerance, most_points), around = chords_of(curve, true, outer, options_.tolerance, most_points);
+    if (!on_curve || !around || repair_ring(*on_curve).refused) return repair;
+    RingRepair hull = repair_ring(convex_hull(*around));
+    if (hull.refused) return repair;
+    ++hulls_;
+    return hull;
+  }
+
   /// Corners of a solid are stored in the order of a Z; whichever way they come, the hull of its four is meant.
   static void mend_bow_tie(Polyline& corners) {
     if (corners.size() == 4) corners = convex_hull(corners);
   }
 
-  void join_boundary(std::vector<Polyline> lines) {
+  void join_boundary(std::vector<Chain> lines) {
     if (lines.empty()) return;
     const std::size_t given = lines.size();
     Joined found = joined(std::move(lines), options_.closing);
-    for (Polyline& ring : found.closed) {
-      RingRepair repair = repair_ring(ring);
+    const auto on_curve = [&](const Chain& chain, bool closed) { return chords_of(chain, closed, Side::on, options_.tolerance, most_points).value_or(Polyline{}); };
+    for (const Chain& chain : found.closed) {
+      RingRepair repair = ring_beside(chain, true);
       if (repair.refused) {
         if (refused_ == 0) first_refused_ = "lines of the boundary layer, " + *repair.refused;
         ++refused_;
-        add_walls(std::move(ring));
+        add_walls(on_curve(chain, true));
       } else {
         plan_.boundaries.push_back(std::move(repair.ring));
       }
     }
     if (!found.closed.empty()) {
-      const std::string gaps = found.widest_gap > 1e-6 ? fmt::format(" (gaps up to {:.2g} mm)", 1e3 * found.widest_gap) : "";
+      const std::string gaps = found.widest_gap > 1e-6 ? fmt::format(" (gaps up to {})", millimetres(found.widest_gap)) : "";
       note(fmt::format("{} of the boundary layer {} joined to {}{}", count_of(given, "line", "lines"), given == 1 ? "was" : "were", count_of(found.closed.size(), "ring", "rings"), gaps));
     }
     if (!found.open.empty()) note(count_of(found.open.size(), "open line of the boundary layer closes no ring: taken as a wall", "open lines of the boundary layer close no ring: taken as walls"));
-    for (Polyline& open : found.open) plan_.lines.push_back(std::move(open));
+    for (const Chain& open : found.open) add_line(on_curve(open, false));
   }
 
   void note_repairs() {
-    if (closed_ > 0) note(fmt::format("repaired: {} up to {:.2g} mm apart {} closed", count_of(closed_, "polyline whose ends are", "polylines whose ends are"), 1e3 * widest_gap_, closed_ == 1 ? "was" : "were"));
+    if (closed_ > 0) note(fmt::format("repaired: {} up to {} apart {} closed", count_of(closed_, "polyline whose ends are", "polylines whose ends are"), millimetres(widest_gap_), closed_ == 1 ? "was" : "were"));
     if (duplicates_ > 0) note("repaired: duplicate corners removed from " + count_of(duplicates_, "closed outline", "closed outlines"));
+    if (hulls_ > 0) note(count_of(hulls_, "solid with a notch too narrow to be drawn was taken as its convex hull", "solids with notches too narrow to be drawn were taken as their convex hulls"));
     if (refused_ == 1) note(fmt::format("repaired: a closed outline that encloses nothing clearly was taken as walls ({})", first_refused_));
     if (refused_ > 1) note(fmt::format("repaired: {} closed outlines that enclose nothing clearly were taken as walls (first: {})", refused_, first_refused_));
   }
@@ -332,15 +372,14 @@ class Plan {
   const std::string& name_;
   const Options& options_;
   std::vector<Role> roles_;
-  std::vector<Piece> pieces_;
+  std::vector<Taken> pieces_;
   Counts taken_, left_, off_, frozen_;
   FloorPlan plan_;
   std::size_t outline_ = none, room_ = none;  // of the pieces: taken as walls; solid, though it may be a room's outline
   std::string room_note_;
-  bool last_class_ = false;
-  std::size_t points_ = 0, raw_points_ = 0;
-  std::size_t empty_ = 0, by_fit_points_ = 0, closed_ = 0, refused_ = 0, duplicates_ = 0;
-  double widest_gap_ = 0.0, deviation_ = 0.0;
+  std::size_t points_ = 0;
+  std::size_t empty_ = 0, by_fit_points_ = 0, closed_ = 0, refused_ = 0, duplicates_ = 0, hulls_ = 0;
+  double widest_gap_ = 0.0;
   std::string first_refused_;
 };
 

@@ -15,7 +15,7 @@ struct Options {
   std::string unit;  ///< "mm", "cm", "m", "in", "ft"; empty: the drawing's own, if the size that it gives is one of a floor plan
   std::vector<std::string> obstacle_layers;  ///< empty: all but the boundary's and those of annotations
   std::string boundary_layer;                ///< empty: none
-  double tolerance = 1e-3;                   ///< m, of chords from the curves that they stand for, 1e-5 to 1
+  double tolerance = 1e-3;                   ///< m, between curves and the chords that stand for them, 1e-5 to 1
   double closing = 0.01;                     ///< m: a polyline whose ends are no farther apart is closed, 0 to 1
 };
 
@@ -33,7 +33,8 @@ std::optional<double> metres_of(std::string_view unit);
 
 /// Lines, polylines with bulges, arcs, circles, ellipses, splines, solids and what blocks insert of them, from model space. Closed ones are
 /// obstacles, open ones lines; those on the boundary layer are boundaries, where lines that meet are joined. A closed one about most of
-/// the rest is the plan's outline: lines, not solid. Every point of a curve is within the tolerance of what stands for it.
+/// the rest is the plan's outline: lines, not solid. Curves and what stands for them are within the tolerance of each other: solids contain what
+/// their curves enclose, boundaries are contained in it, lines have their corners on the curve.
 /// Refuses: what scan() refuses; no unit, or one that gives no floor plan's size; layers that are not there; a drawing with nothing to take.
 /// @param name  of the file, for messages
 Parsed<FloorPlan> read_floor_plan(std::string_view text, const std::string& name, const Options& options);

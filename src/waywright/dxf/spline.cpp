@@ -11,7 +11,7 @@ namespace {
 
 constexpr int highest_degree = 15;
 constexpr int deepest = 24;                       // halvings of one Bézier part
-constexpr std::size_t most_corners = 1'000'000;  // of one spline
+constexpr std::size_t most_knots = 4'000'000;     // of one spline
 
 /// x·w, y·w, w: halving is linear in these.
 struct Weighted {
@@ -47,13 +47,21 @@ double distance_to_chord(Vec2 p, Vec2 a, Vec2 b) {
 
 bool is_flat(const Part& part, double tolerance) {
   const Vec2 a = point(part.front()), b = point(part.back());
-  return std::all_of(part.begin(), part.end(), [&](const Weighted& c) { return distance_to_chord(point(c), a, b) <= tolerance; });
+  double along = 0.0;
+  for (const Weighted& c : part) {
+    if (!(distance_to_chord(point(c), a, b) <= tolerance)) return false;
+    const double at = dot(point(c) - a, b - a);
+    if (at < along) return false;
+    along = at;
+  }
+  return true;
 }
 
-void add_chords(Part part, double tolerance, int depth, std::vector<Vec2>& corners) {
-  if (corners.size() > most_corners) return;
+void add_chords(Part part, double tolerance, int depth, Chain& knots) {
+  if (knots.size() > most_knots) return;
   if (depth >= deepest || is_flat(part, tolerance)) {
-    corners.push_back(point(part.back()));
+    for (std::size_t i = 1; i + 1 < part.size(); ++i) knots.push_back({point(part[i]), within_hull});
+    knots.push_back({point(part.back())});
     return;
   }
   Part left{part.front()};
@@ -61,13 +69,13 @@ void add_chords(Part part, double tolerance, int depth, std::vector<Vec2>& corne
     for (std::size_t i = 0; i < n; ++i) part[i] = mix(part[i], part[i + 1], 0.5);
     left.push_back(part.front());
   }
-  add_chords(std::move(left), tolerance, depth + 1, corners);
-  add_chords(std::move(part), tolerance, depth + 1, corners);
+  add_chords(std::move(left), tolerance, depth + 1, knots);
+  add_chords(std::move(part), tolerance, depth + 1, knots);
 }
 
 }  // namespace
 
-std::variant<std::vector<Vec2>, std::string> chords(const SplineCurve& curve, double tolerance) {
+std::variant<Chain, std::string> pieces(const SplineCurve& curve, double tolerance) {
   if (curve.degree < 1 || curve.degree > highest_degree) return fmt::format("the spline has degree {}", curve.degree);
   const auto p = static_cast<std::size_t>(curve.degree);
   const std::size_t n = curve.controls.size();
@@ -83,7 +91,7 @@ std::variant<std::vector<Vec2>, std::string> chords(const SplineCurve& curve, do
     const double w = curve.weights.empty() ? 1.0 : curve.weights[i];
     controls.push_back({w * curve.controls[i].x, w * curve.controls[i].y, w});
   }
-  std::vector<Vec2> corners;
+  Chain knots;
   for (std::size_t span = p; span < n; ++span) {
     const double from = curve.knots[span], to = curve.knots[span + 1];
     if (!(to > from)) continue;
@@ -94,11 +102,21 @@ std::variant<std::vector<Vec2>, std::string> chords(const SplineCurve& curve, do
       if (j < p) at[p - 1 - j] = to;
     }
     // At the start, and where knots that coincide let the curve jump.
-    if (corners.empty() || distance(corners.back(), point(part.front())) > 1e-3 * tolerance) corners.push_back(point(part.front()));
-    add_chords(std::move(part), tolerance, 0, corners);
+    if (knots.empty() || distance(knots.back().at, point(part.front())) > 1e-3 * tolerance) knots.push_back({point(part.front())});
+    add_chords(std::move(part), tolerance, 0, knots);
   }
-  if (corners.size() < 2) return std::string{"the spline's knots span nothing"};
-  if (corners.size() > most_corners) return std::string{"the spline needs more than a million chords"};
+  if (knots.size() < 2) return std::string{"the spline's knots span nothing"};
+  if (knots.size() > most_knots) return std::string{"the spline needs more than four million points"};
+  return knots;
+}
+
+std::variant<std::vector<Vec2>, std::string> chords(const SplineCurve& curve, double tolerance) {
+  auto found = pieces(curve, tolerance);
+  if (auto* problem = std::get_if<std::string>(&found)) return std::move(*problem);
+  std::vector<Vec2> corners;
+  for (const Knot& knot : std::get<Chain>(found)) {
+    if (knot.weight == 0.0) corners.push_back(knot.at);
+  }
   return corners;
 }
 

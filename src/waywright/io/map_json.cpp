@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <tuple>
 
 #include "waywright/dxf/floor_plan.hpp"
 #include "waywright/io/files.hpp"
@@ -26,6 +28,11 @@ constexpr std::size_t deepest_source = 24;      // levels of a record that is ca
 constexpr double largest_raw_coordinate = 1e9;  // m, before a transform: national grids have large ones
 constexpr std::uint64_t largest_drawing = 1ULL << 30;  // bytes
 constexpr double largest_record = 1e12;         // m, of a transform that was made of several
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  return text;
+}
 
 /// A loading error that speaks of its own file.
 void take_over(const Node& node, InputError error) {
@@ -224,7 +231,13 @@ class MapReader {
     auto text = read_file(folder_ / name, largest_drawing);
     if (!text) return fail_by_file(node_.at("dxf"), text.error());
     auto plan = dxf::read_floor_plan(*text, (folder_ / name).string(), options);
-    if (!plan) return fail_by_file(node_.at("dxf"), plan.error());
+    if (!plan) {
+      // Its sentences name the option of `map`, whose map object is the outermost one.
+      InputError error = plan.error();
+      constexpr std::string_view option = "give unit (--unit)";
+      if (const std::size_t at = error.problem.find(option); at != std::string::npos && !node_.path().empty()) error.problem.replace(at, option.size(), "give " + node_.path() + ".unit");
+      return fail_by_file(node_.at("dxf"), error);
+    }
     source["file"] = name;
     for (const char* field : {"unit", "obstacle_layers", "boundary_layer", "tolerance", "closing"}) {
       if (node_.has(field)) source[field] = node_.at(field).json();
@@ -281,6 +294,9 @@ class MapReader {
     const std::string name = polygons.file_name();
     if (node_.failed() || !count_file()) return;
     const fs::path path = folder_ / name;
+    for (const auto& [extension, what, kind] : {std::tuple{".dxf", "a drawing", "dxf"}, {".yaml", "a ROS map", "ros"}, {".yml", "a ROS map", "ros"}}) {
+      if (lower_case(path.extension().string()) == extension) return polygons.fail(fmt::format("{} is {}, not a map.json", name, what), fmt::format("{{\"{}\": \"{}\"}}", kind, name));
+    }
     auto text = read_file(path, largest_json);
     if (!text) return fail_by_file(polygons, text.error());
     auto json = parse_json(*text, path.string());
@@ -361,7 +377,7 @@ class MapReader {
     ring = std::move(repair.ring);
   }
 
-  static std::optional<Alignment> read_align(const Node& node) {
+  std::optional<Alignment> read_align(const Node& node) {
     std::vector<Vec2> from, to;
     for (const Node& pair : node.elements()) {
       if (!pair.is_array_of(2, "[[x, y] on the map, [x, y] in the world]")) return std::nullopt;
@@ -371,20 +387,62 @@ class MapReader {
     }
     if (node.failed()) return std::nullopt;
     auto found = align(from, to);
-    if (found && !is_mirrored(node, from, to, *found)) return *found;
+    if (found && !is_mirrored(node, from, to, *found) && !is_far_off(node, from, to, *found)) return *found;
     if (found) return std::nullopt;
     node.fail(found.error().problem, found.error().allowed);
     return std::nullopt;
   }
 
+  static double worst_of(const Alignment& found) { return *std::max_element(found.residuals.begin(), found.residuals.end()); }
+
+  /// Diagonal of the box about the points, m.
+  static double extent_of(const std::vector<Vec2>& points) {
+    const Box box = bounding_box(points);
+    return norm(box.high - box.low);
+  }
+
+  /// Where the same turn and a scale bring the pairs together ten times as well: in words what the scale is.
+  static std::optional<std::string> scale_words(const std::vector<Vec2>& from, const std::vector<Vec2>& to, const Alignment& found) {
+    constexpr double clear_scale = 0.01;
+    const double n = static_cast<double>(from.size());
+    const Frame turn{make_pose({}, found.transform.heading)};
+    Vec2 a{}, b{};
+    for (std::size_t i = 0; i < from.size(); ++i) a = a + (1.0 / n) * from[i], b = b + (1.0 / n) * to[i];
+    double along = 0.0, spread = 0.0, worst = 0.0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      along += dot(turn.rotate(from[i] - a), to[i] - b);
+      spread += squared_norm(from[i] - a);
+    }
+    const double scale = along / spread;
+    for (std::size_t i = 0; i < from.size(); ++i) worst = std::max(worst, norm(to[i] - b - scale * turn.rotate(from[i] - a)));
+    if (!(std::abs(scale - 1.0) > clear_scale) || !(worst <= 0.1 * worst_of(found))) return std::nullopt;
+    return fmt::format("the pairs fit a map {} times as large: wrong unit?", scale >= 0.1 ? fmt::format("{:.2f}", scale) : fmt::format("{:.3g}", scale));
+  }
+
+  /// Pairs that no turn and shift bring together within a tenth of their extent are not those of this map, whatever is planned on it: refused.
+  /// (Points read off a map are within some centimetres; of two pairs, a tenth is a scale that is off by a fifth and more.)
+  bool is_far_off(const Node& node, const std::vector<Vec2>& from, const std::vector<Vec2>& to, const Alignment& found) {
+    constexpr double clearly_off = 0.05;  // m
+    constexpr double hopeless = 0.1, worth_a_note = 0.01;  // of the extent
+    const double worst = worst_of(found), extent = std::max(extent_of(from), extent_of(to));
+    if (worst <= std::max(clearly_off, worth_a_note * extent)) return false;
+    const auto scale = scale_words(from, to, found);
+    if (worst > hopeless * extent) {
+      node.fail(fmt::format("the pairs do not fit the map: as placed they are up to {:.3f} m apart, more than a tenth of the {:.1f} m over which they lie{}", worst, extent, scale ? "; " + *scale : ""),
+                "pairs that a turn and a shift bring together, in metres");
+      return true;
+    }
+    if (scale) map_.notes.push_back(node.path() + ": " + *scale);
+    return false;
+  }
+
   /// Axes swapped or one turned over: no turn and shift can bring such points together, however small the error seems. Refused.
   static bool is_mirrored(const Node& node, std::vector<Vec2> from, const std::vector<Vec2>& to, const Alignment& found) {
     constexpr double clearly_off = 0.05;  // m
-    const auto worst = [](const Alignment& a) { return *std::max_element(a.residuals.begin(), a.residuals.end()); };
     for (Vec2& p : from) p.y = -p.y;
     const auto mirrored = align(from, to);
-    if (from.size() < 3 || !mirrored || worst(found) < clearly_off || worst(*mirrored) > 0.1 * worst(found)) return false;
-    node.fail(fmt::format("the pairs fit a mirrored map: they are up to {:.3f} m apart as they stand, {:.3f} m when the map is mirrored", worst(found), worst(*mirrored)),
+    if (from.size() < 3 || !mirrored || worst_of(found) < clearly_off || worst_of(*mirrored) > 0.1 * worst_of(found)) return false;
+    node.fail(fmt::format("the pairs fit a mirrored map: they are up to {:.3f} m apart as they stand, {:.3f} m when the map is mirrored", worst_of(found), worst_of(*mirrored)),
               "pairs that a turn and a shift bring together");
     return true;
   }
@@ -446,11 +504,7 @@ Json map_to_json(const Map& map) {
 
 std::string map_json(const Map& map) { return pretty(map_to_json(map)); }
 
-bool is_dxf(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  return extension == ".dxf";
-}
+bool is_dxf(const fs::path& file) { return lower_case(file.extension().string()) == ".dxf"; }
 
 Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, const dxf::Options& drawing, std::string* record) {
   const auto refuse = [&](const char* problem, const char* allowed) {

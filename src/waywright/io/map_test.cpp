@@ -309,8 +309,24 @@ TEST_F(Files, PairsOfAMirroredMapAreRefused) {
   };
   EXPECT_EQ(sentence("[[[0,0],[5,5]], [[4,0],[9,5]], [[0,3],[5,8.02]]]"), "");
   EXPECT_NE(sentence("[[[0,0],[5,5]], [[4,0],[9,5]], [[0,3],[5,2]]]").find("mirrored map"), std::string::npos);
-  // Bad pairs that a mirror does not mend either are placed, with their residuals.
-  EXPECT_EQ(sentence("[[[0,0],[5,5]], [[4,0],[9,5]], [[0,3],[6,6]]]"), "");
+  // Pairs that are bad by a few per cent are placed, with their residuals; by more than a tenth of their extent they are refused.
+  EXPECT_EQ(sentence("[[[0,0],[5,5]], [[4,0],[9,5]], [[0,3],[5.2,8]]]"), "");
+  EXPECT_NE(sentence("[[[0,0],[5,5]], [[4,0],[9,5]], [[0,3],[6,6]]]").find("m apart, more than a tenth of the 5.0 m over which they lie (allowed"), std::string::npos);
+}
+
+TEST_F(Files, PairsOfAnotherScaleAreTold) {
+  const auto read = [&](const char* pairs) {
+    put("m.json", R"({"polygons": {"points": [[0, 0]]}, "align": )" + std::string{pairs} + "}");
+    const auto map = read_map(folder_ / "m.json");
+    return !map ? map.error().message() : map->notes.empty() ? std::string{} : map->notes.back();
+  };
+  // Twice as large, drawn in millimetres, and turned besides.
+  EXPECT_NE(read("[[[0,0],[3,4]], [[4,0],[11,4]]]").find("the pairs fit a map 2.00 times as large: wrong unit?"), std::string::npos);
+  EXPECT_NE(read("[[[0,0],[3,4]], [[4000,0],[3,8]], [[0,3000],[0,4]]]").find("the pairs fit a map 0.001 times as large: wrong unit?"), std::string::npos);
+  // Off by 5 % of scale it is placed, with a note; off without any scale it is only refused.
+  EXPECT_EQ(read("[[[0,0],[0,0]], [[10,0],[10.5,0]]]"), "m.json: align: the pairs fit a map 1.05 times as large: wrong unit?");
+  EXPECT_EQ(read("[[[0,0],[0,0]], [[10,0],[10.02,0]]]"), "");
+  EXPECT_EQ(read("[[[0,0],[5,5]], [[4,0],[9,5]], [[0,3],[6,6]]]").find("wrong unit"), std::string::npos);
 }
 
 TEST_F(Files, OfASetAppearTogetherOrNotAtAll) {

@@ -208,8 +208,9 @@ std::vector<std::string> outline_doubts(const Map& drawing, Vec2 start) {
   for (std::size_t i = 0; i < drawing.obstacles.size(); ++i) {
     const Ring& ring = drawing.obstacles[i];
     if (!contains(ring, start)) continue;
-    sentences.push_back(fmt::format("the start lies inside of obstacle {}, a closed outline of {:.1f} m², which is solid; if it is the outline of a room, name its layer as boundary_layer", i,
-                                    std::abs(signed_area(ring))));
+    const Box box = bounding_box(ring);
+    sentences.push_back(fmt::format("the start lies inside of obstacle {}, a closed outline of {:.1f} m² (x {:.2f} to {:.2f}, y {:.2f} to {:.2f} m), which is solid; if it is the outline of a room, name its layer "
+                                    "as boundary_layer", i, std::abs(signed_area(ring)), box.low.x, box.high.x, box.low.y, box.high.y));
   }
   return sentences;
 }
@@ -370,7 +371,13 @@ Parsed<Scenario> read_scenario(const fs::path& file) {
 Parsed<Site> read_site(const fs::path& map_file, const fs::path& vehicle_file) {
   Site site;
   auto map = read_map(map_file, {}, {}, &site.map_source);
-  if (!map) return tl::unexpected{map.error()};
+  if (!map) {
+    // Beside a table of stations there is no option for what a drawing leaves open.
+    InputError error = map.error();
+    constexpr std::string_view option = "give unit (--unit)";
+    if (const std::size_t at = error.problem.find(option); at != std::string::npos) error.problem.replace(at, option.size(), fmt::format("convert it with `waywright map {} --unit UNIT -o map.json`", map_file.string()));
+    return tl::unexpected{error};
+  }
   site.map = std::move(*map);
   site.notes = site.map.notes;
   auto vehicle = read_vehicle_file(vehicle_file, vehicle_file.filename().string(), site.notes);

@@ -66,6 +66,10 @@ void draw_placed(SvgWriter& svg, const Map& map) {
 std::string map_svg(const MapPicture& picture, double width) {
   Extent extent;
   extent.add(*picture.map);
+  for (const MapPicture::Pair& pair : picture.pairs) {
+    extent.add(pair.placed);
+    extent.add(pair.meant);
+  }
   if (picture.below != nullptr) extent.add(*picture.below);
   const Box region = extent.with_margin();
   const Vec2 size = region.high - region.low;
@@ -96,12 +100,14 @@ std::string map_svg(const MapPicture& picture, double width) {
   if (std::any_of(map.grids.begin(), map.grids.end(), [](const CellGrid& g) { return std::find(g.blocked.begin(), g.blocked.end(), 2) != g.blocked.end(); }))
     legend.push_back({"unknown", Shape::box, "unknown"});
   for (std::size_t i = 0; i < picture.pairs.size(); ++i) {
-    svg.dot(picture.pairs[i], 4.5, "spot");
+    const Vec2 at = picture.pairs[i].meant;
+    svg.polyline({picture.pairs[i].placed, at}, "spotline");
+    svg.dot(at, 4.5, "spot");
     const bool known = map.alignment && i < map.alignment->residuals.size();
-    const bool at_right = canvas.view(picture.pairs[i]).x > canvas.width - 100.0, at_top = canvas.view(picture.pairs[i]).y < 24.0;
-    svg.label(picture.pairs[i], {at_right ? -8.0 : 8.0, at_top ? 18.0 : -6.0}, known ? fmt::format("{}: {:.0f} mm", i + 1, 1e3 * map.alignment->residuals[i]) : fmt::format("{}", i + 1), at_right ? "name end" : "name");
+    const bool at_right = canvas.view(at).x > canvas.width - 100.0, at_top = canvas.view(at).y < 24.0;
+    svg.label(at, {at_right ? -8.0 : 8.0, at_top ? 18.0 : -6.0}, known ? fmt::format("{}: {:.0f} mm", i + 1, 1e3 * map.alignment->residuals[i]) : fmt::format("{}", i + 1), at_right ? "name end" : "name");
   }
-  if (!picture.pairs.empty()) legend.push_back({"spot", Shape::dot, "pairs of points, with what they are apart"});
+  if (!picture.pairs.empty()) legend.push_back({"spot", Shape::dot, "where pairs of points should lie, and a line to where they do"});
   svg.close_group();
   draw_axes(svg, canvas);
   draw_scale(svg, canvas);

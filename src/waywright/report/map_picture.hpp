@@ -14,7 +14,11 @@ struct MapPicture {
   std::string name;                ///< of the map, for the legend
   const Map* below = nullptr;      ///< another map, drawn in grey under the first; may be none
   std::string below_name;
-  std::vector<Vec2> pairs;         ///< where points of the map should lie; their residuals are those of the map's alignment
+  struct Pair {
+    Vec2 placed;  ///< where a point of the map lies
+    Vec2 meant;   ///< where it should
+  };
+  std::vector<Pair> pairs;         ///< their residuals are those of the map's alignment
 };
 
 /// An SVG about `width` pixels wide, with coordinates and a legend.

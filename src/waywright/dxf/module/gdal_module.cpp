@@ -22,8 +22,7 @@ namespace {
 /// Options of this thread alone, as they were before when it ends.
 class Options {
  public:
-  explicit Options(double arc_step) {
-    set("OGR_ARC_STEPSIZE", std::to_string(arc_step).c_str());
+  Options() {
     set("DXF_MERGE_BLOCK_GEOMETRIES", "FALSE");      // or the layers inside blocks are lost
     set("DXF_FEATURE_LIMIT_PER_BLOCK", "-1");        // or more than 10 000 would be left out silently; counted before it comes here
     set("DXF_ENCODING", "UTF-8");
@@ -115,10 +114,10 @@ void tell(const char* what, char* message, size_t size) {
   if (size > 0) std::snprintf(message, size, "%s", what != nullptr && *what != '\0' ? what : "GDAL gives no reason");
 }
 
-int read(const char* text, size_t size, double arc_step, Receiver receiver, char* message, size_t message_size) {
+int read(const char* text, size_t size, Receiver receiver, char* message, size_t message_size) {
   static std::once_flag once;
   std::call_once(once, [] { RegisterOGRDXF(); });
-  const Options options{arc_step};
+  const Options options;
   const Quiet quiet;
   File file{text, size};
   GDALDatasetH set = file.open();
@@ -145,10 +144,10 @@ extern "C" {
 
 __attribute__((visibility("default"))) int waywright_dxf_module_version(void) { return WAYWRIGHT_DXF_MODULE_VERSION; }
 
-__attribute__((visibility("default"))) int waywright_dxf_read(const char* text, size_t size, double arc_step, waywright_dxf_piece piece,
+__attribute__((visibility("default"))) int waywright_dxf_read(const char* text, size_t size, waywright_dxf_piece piece,
                                                               void* self, char* message, size_t message_size) {
   try {
-    return read(text, size, arc_step, {piece, self}, message, message_size);
+    return read(text, size, {piece, self}, message, message_size);
   } catch (const std::exception& e) {
     tell(e.what(), message, message_size);
   } catch (...) {
