@@ -1,11 +1,24 @@
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 
 #include "waywright/report/scene_parts.hpp"
 #include "waywright/study/reproduce_safe_astar.hpp"
 
 namespace waywright::reproduction {
+namespace {
+
+/// Without the points on straight parts.
+std::vector<Vec2> bends_of(const std::vector<Vec2>& points) {
+  std::vector<Vec2> bends;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0 && i + 1 < points.size() && std::abs(cross(points[i] - points[i - 1], points[i + 1] - points[i])) < 1e-9) continue;
+    bends.push_back(points[i]);
+  }
+  return bends;
+}
+
+}  // namespace
 
 std::string svg(const std::vector<Experiment>& experiments, double width) {
   constexpr double gap = 16.0, title = 40.0, legend = 52.0;  // px
@@ -33,16 +46,18 @@ std::string svg(const std::vector<Experiment>& experiments, double width) {
     }
     cells(e.grid);
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      for (const std::vector<Vec2>& leg : e.ours[m].legs) panel.stroked_polyline(leg, stroke_attributes(overlay_stroke(m)));
+      for (const std::vector<Vec2>& leg : e.ours[m].legs) panel.stroked_polyline(bends_of(leg), stroke_attributes(overlay_stroke(m)));
     }
     for (const Vec2 p : e.ours[own].boundary) panel.raw(fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"2.4\" fill=\"none\" stroke=\"{}\"/>\n", fixed(panel.view()(p).x), fixed(panel.view()(p).y), overlay_stroke(own).colour));
     panel.label(e.legs.front().start, {6.0, 12.0}, "S", "small");
-    if (e.legs.size() > 1) panel.label(e.legs.front().goal, {5.0, -5.0}, "goods", "small");
+    if (e.legs.size() > 1) {
+      const Vec2 at = panel.view()(e.legs.front().goal);
+      panel.raw(fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"4\" fill=\"#fff\" stroke=\"#000\" stroke-width=\"2\"/>\n", fixed(at.x), fixed(at.y)));
+    }
     panel.label(e.legs.back().goal, {-4.0, -6.0}, "G", "small");
     panel.close_group();
     body += panel.take();
-    const std::string name = e.name.size() > 46 ? e.name.substr(0, e.name.find(',')) : e.name;
-    body += fmt::format("<text class=\"small\" x=\"{0}\" y=\"{1}\">{2} ({3})</text>\n", fixed(x), fixed(y - 22.0), escaped(name), e.map);
+    body += fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">{}</text>\n", fixed(x), fixed(y - 22.0), escaped(e.label));
     std::string lengths;
     for (std::size_t m = 0; m < methods.size(); ++m) lengths += fmt::format("{}{:.1f}", m == 0 ? "" : " · ", e.ours[m].figures[length]);
     body += fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">{} m</text>\n", fixed(x), fixed(y - 7.0), lengths);
@@ -53,7 +68,9 @@ std::string svg(const std::vector<Experiment>& experiments, double width) {
                         stroke_attributes(overlay_stroke(m)), fixed(x + 40.0), methods[m]);
     x += 110.0;
   }
-  body += fmt::format("<circle cx=\"{}\" cy=\"24\" r=\"3\" fill=\"none\" stroke=\"{}\"/><text class=\"small\" x=\"{}\" y=\"28\">boundary point</text>\n", fixed(x + 6.0), overlay_stroke(own).colour, fixed(x + 16.0));
+  body += fmt::format("<circle cx=\"{}\" cy=\"24\" r=\"3\" fill=\"none\" stroke=\"{}\"/><text class=\"small\" x=\"{}\" y=\"28\">boundary point of SHA*</text>\n", fixed(x + 6.0), overlay_stroke(own).colour, fixed(x + 16.0));
+  x += 190.0;
+  body += fmt::format("<circle cx=\"{}\" cy=\"24\" r=\"4\" fill=\"#fff\" stroke=\"#000\" stroke-width=\"2\"/><text class=\"small\" x=\"{}\" y=\"28\">goods; the four lengths are in this order</text>\n", fixed(x + 6.0), fixed(x + 16.0));
   const std::size_t rows = (experiments.size() + columns - 1) / columns;
   return framed(std::move(body), width, legend + static_cast<double>(rows) * (side + title + gap), "Experiments of the safe-A* publication");
 }

@@ -110,9 +110,10 @@ Way corrected(const CellGrid& grid, const std::vector<PublishedTask>& legs, std:
 /// Rows as the publication's tables have them, by metric; columns by method.
 using Table = std::array<std::array<double, 4>, 6>;
 
-Experiment experiment(std::string name, const char* map, const char* own_map, std::vector<std::size_t> legs, const Table& table) {
+Experiment experiment(std::string name, std::string label, const char* map, const char* own_map, std::vector<std::size_t> legs, const Table& table) {
   Experiment e;
   e.name = std::move(name);
+  e.label = std::move(label);
   e.map = map;
   const PublishedMap published = published_map(map).value();
   e.grid = published.grid;
@@ -129,30 +130,30 @@ Experiment experiment(std::string name, const char* map, const char* own_map, st
 std::vector<Experiment> all_experiments() {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<Experiment> all;
-  all.push_back(experiment("9.1 convex tips", "SA-CONVEX", "SA-CONVEX", {0},
+  all.push_back(experiment("9.1 convex tips", "9.1 convex tips", "SA-CONVEX", "SA-CONVEX", {0},
                            {{{380.5584, 384.0731, 446.3637, 369.5521}, {309.0022, 18.1278, 674.88, 10.6796}, {0.821, 1.725, 1.638, 1.084}, {408.99, 412.79, 479.74, 397.18},
                              {89.5353, 89.5353, 15.3482, 6.1191}, {47.69, 47.34, 52.92, 62.07}}}));
-  all.push_back(experiment("9.1 narrow passages", "SA-NARROW", "SA-NARROW", {0},
+  all.push_back(experiment("9.1 narrow passages", "9.1 narrow passages", "SA-NARROW", "SA-NARROW", {0},
                            {{{421.7056, 426.8772, 557.1755, 414.3527}, {1032.9641, 121.5572, 1052.6305, 12.5214}, {0.746, 1.988, 1.758, 1.322}, {453.26, 458.82, 598.87, 445.3636},
                              {67.5442, 64.4026, 19.1333, 8.2937}, {47.07, 47.06, 41.23, 57.24}}}));
-  all.push_back(experiment("9.2 random obstacles 1", "SA-RAND1", "SA-RAND1", {0},
+  all.push_back(experiment("9.2 random obstacles 1", "9.2 random obstacles 1", "SA-RAND1", "SA-RAND1", {0},
                            {{{202.6345, 202.6345, 200.2812, 196.5703}, {144.3658, 0, 113.4513, 0}, {0.444, 1.921, 1.758, 1.662}, {217.80, 217.63, 215.27, 211.27},
                              {18.8495, 14.1371, 3.1433, 2.1136}, {76.73, 77.48, 79.47, 80.00}}}));
-  all.push_back(experiment("9.2 random obstacles 2", "SA-RAND2", "SA-RAND2", {0},
+  all.push_back(experiment("9.2 random obstacles 2", "9.2 random obstacles 2", "SA-RAND2", "SA-RAND2", {0},
                            {{{209.0782, 215.1787, 205.7177, 202.2907}, {319.2708, 74.6585, 241.0164, 0.493}, {0.432, 1.571, 1.467, 1.441}, {224.73, 231.10, 221.12, 217.42},
                              {26.7035, 34.5575, 8.4618, 3.9394}, {74.84, 72.98, 78.08, 79.14}}}));
-  all.push_back(experiment("9.2 random obstacles 3", "SA-RAND3", "SA-RAND3", {0},
+  all.push_back(experiment("9.2 random obstacles 3", "9.2 random obstacles 3", "SA-RAND3", "SA-RAND3", {0},
                            {{{215.5218, 217.865, 217.815, 206.8147}, {402.6708, 0, 383.6158, 0}, {0.569, 1.998, 2.047, 1.669}, {231.65, 233.99, 234.12, 222.28},
                              {9.4247, 40.8407, 9.3452, 6.4203}, {76.94, 71.71, 76.73, 78.29}}}));
-  all.push_back(experiment("9.3 irregular obstacles, SHA* on rectangles around them", "SA-IRR", "SA-IRR-REG", {0},
+  all.push_back(experiment("9.3 irregular obstacles, SHA* on rectangles around them", "9.3 irregular; SHA* on rectangles", "SA-IRR", "SA-IRR-REG", {0},
                            {{{256.22, 258.56, 262.91, 254.6071}, {none, none, none, none}, {none, none, none, none}, {none, none, none, none}, {31.4, 25.1, 9.4, 1.4507}, {none, none, none, none}}}));
-  all.push_back(experiment("9.3 rectangles around irregular obstacles, for all", "SA-IRR-REG", "SA-IRR-REG", {0},
+  all.push_back(experiment("9.3 rectangles around irregular obstacles, for all", "9.3 rectangles for all", "SA-IRR-REG", "SA-IRR-REG", {0},
                            {{{267.9482, 270.2914, 272.8028, 254.6071}, {361.0685, 0, 579.6919, 0}, {1.482, 2.952, 5.291, 2.639}, {288.00, 290.29, 293.22, 273.65},
                              {18.8495, 10.9955, 8.4829, 1.4507}, {70.20, 71.22, 71.36, 73.90}}}));
-  all.push_back(experiment("9.4 warehouse: parking, goods at (29, 19), exit", "SA-WH", "SA-WH", {0, 1},
+  all.push_back(experiment("9.4 warehouse: parking, goods at (29, 19), exit", "9.4 warehouse, goods at (29, 19)", "SA-WH", "SA-WH", {0, 1},
                            {{{69.5979, 72.0951, 72.8876, 68.7244}, {138.1442, 42.4914, 113.3893, 25.0093}, {0.005, 0.068, 0.308, 0.059}, {74.81, 77.43, 78.34, 73.86},
                              {10.9955, 8.1757, 15.2596, 3.7121}, {91.29, 91.48, 90.28, 92.53}}}));
-  all.push_back(experiment("9.4 warehouse: parking, goods at (21, 35), exit", "SA-WH", "SA-WH", {2, 3},
+  all.push_back(experiment("9.4 warehouse: parking, goods at (21, 35), exit", "9.4 warehouse, goods at (21, 35)", "SA-WH", "SA-WH", {2, 3},
                            {{{70.7695, 69.4984, 71.3202, 68.7627}, {127.4218, 43.8785, 139.0656, 15.2428}, {0.006, 0.076, 0.359, 0.066}, {76.07, 74.64, 76.66, 73.91},
                              {25.1327, 9.6706, 11.3625, 3.4535}, {88.92, 91.51, 91.05, 92.57}}}));
   return all;

@@ -31,7 +31,7 @@ struct Way {
 };
 
 struct Experiment {
-  std::string name, map;
+  std::string name, label, map;           ///< label: short, for the picture
   CellGrid grid;                          ///< that the first three methods search
   CellGrid own_grid;                      ///< that the publication's own searches: where it differs, with regular obstacles
   std::vector<PublishedTask> legs;        ///< planned one after the other

@@ -132,9 +132,10 @@ class SafePlanner::Ready {
 
   PlanningFailure not_connected(bool is_start) const {
     const Pose& pose = is_start ? problem_.start() : problem_.goal();
+    const std::string of_what = problem_.footprint().is_disc() ? "" : fmt::format(" for the disc of {:.3f} m around the footprint, which is what is searched (astar asks the footprint itself)", disc_.disc);
     return failure(Status::no_path,
-                   fmt::format("{} the {} at {} no straight drive {} the middle of a cell of {:g} m around it; try a finer resolution", is_start ? "from" : "to", is_start ? "start" : "goal",
-                               place(pose.position()), is_start ? "leads to" : "leads from", frame_.cell),
+                   fmt::format("{} the {} at {} no straight drive {} the middle of a cell of {:g} m around it{}; try a finer resolution", is_start ? "from" : "to", is_start ? "start" : "goal",
+                               place(pose.position()), is_start ? "leads to" : "leads from", frame_.cell, of_what),
                    pose);
   }
 
@@ -191,8 +192,8 @@ class SafePlanner::Ready {
     const Vec2 start = problem_.start().position(), goal = problem_.goal().position();
     const Sight sight{problem_, frame_, *bounds_, disc_.disc};
     const double margin = std::max(lattice_margin(problem_), keeps_ - disc_.disc);
-    const BoundaryAnswer boundary = boundary_points({cells_, *obstacles_, *danger_, on_cells(start), on_cells(goal), [&](Cell c) { return sight.is_free(frame_.centre(c), goal, margin); }, true,
-                                                     [&] { return budget.exhausted(); }});
+    const auto sees_goal = [&](Cell c) { return !first_crossing(cells_, middle_of(c), on_cells(goal)) && sight.is_free(frame_.centre(c), goal, margin); };
+    const BoundaryAnswer boundary = boundary_points({cells_, *obstacles_, *danger_, on_cells(start), on_cells(goal), sees_goal, true, [&] { return budget.exhausted(); }});
     if (budget.exhausted()) return tl::unexpected{nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, 0, budget, frame_.cell, "")};
     if (boundary.kind == BoundaryAnswer::Kind::straight && sight.is_free(start, goal, connecting_margin(problem_))) return explained({}, "Nothing stands between start and goal: the way is straight, without a search.");
     if (boundary.kind != BoundaryAnswer::Kind::joined) {
