@@ -9,6 +9,7 @@ namespace waywright {
 namespace {
 
 constexpr std::size_t most_corners = 1000;
+constexpr int most_asked = 2000;  // cells, whether they see the goal
 
 bool is_near_border(Vec2 p, const CellMap& cells, double reach) {
   return p.x < reach || p.y < reach || p.x > cells.columns - 1 - reach || p.y > cells.rows - 1 - reach;
@@ -24,7 +25,7 @@ std::uint32_t obstacle_at(const BoundaryTask& task, Cell cell) {
 std::optional<Cell> joining_cell(const BoundaryTask& task, Vec2 near) {
   const double reach = task.danger.reach_in_cells();
   const Cell middle = cell_at(near);
-  const int farthest = static_cast<int>(std::min(400.0, std::ceil(12.0 * reach) + 8.0));
+  const int farthest = static_cast<int>(std::min(200.0, std::ceil(12.0 * reach) + 8.0));
   struct Candidate {
     double squared;
     Cell cell;
@@ -32,6 +33,7 @@ std::optional<Cell> joining_cell(const BoundaryTask& task, Vec2 near) {
   // Ring by ring of so many cells: all that are nearer than the ring's inner edge are known before.
   std::vector<Candidate> waiting;
   constexpr int band = 4;
+  int asked = 0;
   for (int out = 0; out <= farthest; out += band) {
     for (int r = -out - band + 1; r < out + band; ++r) {
       for (int c = -out - band + 1; c < out + band; ++c) {
@@ -50,7 +52,9 @@ std::optional<Cell> joining_cell(const BoundaryTask& task, Vec2 near) {
     for (; i < waiting.size() && waiting[i].squared <= known * known; ++i) {
       if (task.is_over && task.is_over()) return std::nullopt;
       const Cell cell = waiting[i].cell;
-      if (task.danger.at(cell) == 0.0 && task.sees_goal(cell)) return cell;
+      if (task.danger.at(cell) != 0.0) continue;
+      if (++asked > most_asked) return std::nullopt;
+      if (task.sees_goal(cell)) return cell;
     }
     waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(i));
   }
@@ -73,13 +77,14 @@ std::optional<Crossing> first_crossing(const CellMap& cells, Vec2 from, Vec2 to)
 Vec2 shifted_away(Vec2 at, Vec2 outwards, const CellMap& cells, double reach) {
   constexpr int most_steps = 40;
   const double most = reach / 6.0;
+  const int stride = std::max(1, static_cast<int>(reach / 40.0));  // of a wide reach not every cell is looked at
   if (const Cell cell = cell_at(at); cells.contains(cell) && cells.occupied[cells.index(cell)] != 0 && norm(outwards) > 0.0) at = at + (most / norm(outwards)) * outwards;
   const auto low = [&](double v) { return static_cast<int>(std::max(0.0, std::ceil(v - reach))); };
   const auto high = [&](double v, int count) { return static_cast<int>(std::min(count - 1.0, std::floor(v + reach))); };
   for (int i = 0; i < most_steps; ++i) {
     Vec2 shift{};
-    for (int r = low(at.y); r <= high(at.y, cells.rows); ++r) {
-      for (int c = low(at.x); c <= high(at.x, cells.columns); ++c) {
+    for (int r = low(at.y); r <= high(at.y, cells.rows); r += stride) {
+      for (int c = low(at.x); c <= high(at.x, cells.columns); c += stride) {
         if (cells.occupied[cells.index({c, r})] == 0) continue;
         const Vec2 away = at - middle_of({c, r});
         const double d = norm(away);

@@ -41,22 +41,17 @@ std::vector<Detour> detours_of(const CellMap& cells, Vec2 start, Vec2 goal, doub
   };
   detours = merged(detours);
   // Straight parts: before the first, between two, after the last. Whoever has one that is not free takes it over.
-  for (bool is_changed = true; is_changed;) {
-    is_changed = false;
-    const auto place = [&](double along) { return along <= 0.0 ? start : along >= whole ? goal : middle_of(cell_on(start, goal, along)); };
-    for (std::size_t i = 0; i <= detours.size(); ++i) {
-      const double from = i == 0 ? 0.0 : detours[i - 1].end, to = i == detours.size() ? whole : detours[i].begin;
-      if (from >= to || is_free(place(from), place(to))) continue;
-      is_changed = true;
-      if (detours.empty()) return {{0.0, whole}};
-      if (i == 0) {
-        detours.front().begin = 0.0;
-      } else {
-        detours[i - 1].end = to;
-      }
-      detours = merged(detours);
-      break;
+  const auto place = [&](double along) { return along <= 0.0 ? start : along >= whole ? goal : middle_of(cell_on(start, goal, along)); };
+  for (std::size_t i = 0; i <= detours.size();) {
+    const double from = i == 0 ? 0.0 : detours[i - 1].end, to = i == detours.size() ? whole : detours[i].begin;
+    if (from >= to || is_free(place(from), place(to))) {
+      ++i;
+      continue;
     }
+    if (detours.empty()) return {{0.0, whole}};
+    if (i == 0) detours.front().begin = 0.0;
+    else detours[i - 1].end = to;
+    detours = merged(detours);  // those before are as they were
   }
   return detours;
 }

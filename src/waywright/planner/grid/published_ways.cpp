@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "waywright/metrics/grid_metrics.hpp"
 
@@ -81,14 +82,18 @@ PublishedWay PublishedWays::line(Cell start, Cell goal, PublishedSearch& search,
   return way;
 }
 
-/// No blocked cell's middle nearer than the clearance to a straight line.
+/// No blocked cell's middle nearer than the clearance to a straight line. Row by row what is near enough.
 bool PublishedWays::is_clear(Vec2 from, Vec2 to) const {
-  const auto low = [&](double a, double b) { return static_cast<int>(std::max(0.0, std::ceil(std::min(a, b) - clearance_))); };
-  const auto high = [&](double a, double b, int count) { return static_cast<int>(std::min(count - 1.0, std::floor(std::max(a, b) + clearance_))); };
+  if (from.y > to.y) std::swap(from, to);
   const Vec2 way = to - from;
   const double squared = squared_norm(way);
-  for (int row = low(from.y, to.y); row <= high(from.y, to.y, cells_.rows); ++row) {
-    for (int column = low(from.x, to.x); column <= high(from.x, to.x, cells_.columns); ++column) {
+  const int first = static_cast<int>(std::max(0.0, std::ceil(from.y - clearance_))), last = static_cast<int>(std::min(cells_.rows - 1.0, std::floor(to.y + clearance_)));
+  for (int row = first; row <= last; ++row) {
+    const auto x_at = [&](double y) { return way.y == 0.0 ? from.x : from.x + way.x * std::clamp((y - from.y) / way.y, 0.0, 1.0); };
+    double low = x_at(row - clearance_), high = way.y == 0.0 ? to.x : x_at(row + clearance_);
+    if (low > high) std::swap(low, high);
+    const int left = static_cast<int>(std::max(0.0, std::ceil(low - clearance_))), right = static_cast<int>(std::min(cells_.columns - 1.0, std::floor(high + clearance_)));
+    for (int column = left; column <= right; ++column) {
       if (cells_.blocked[cells_.index({column, row})] == 0) continue;
       const Vec2 p = middle_of({column, row});
       const double t = squared == 0.0 ? 0.0 : std::clamp(dot(p - from, way) / squared, 0.0, 1.0);
@@ -101,7 +106,7 @@ bool PublishedWays::is_clear(Vec2 from, Vec2 to) const {
 PublishedWay PublishedWays::boundary(Cell start, Cell goal, PublishedSearch& search, std::optional<std::int64_t> expansions, Budget* budget) const {
   PublishedWay way;
   const Vec2 from = middle_of(start), to = middle_of(goal);
-  BoundaryTask task{cells_, *obstacles_, danger_, from, to, [&](Cell c) { return is_clear(middle_of(c), to) && !first_crossing(cells_, middle_of(c), to); }, false,
+  BoundaryTask task{cells_, *obstacles_, danger_, from, to, [&](Cell c) { return !first_crossing(cells_, middle_of(c), to) && is_clear(middle_of(c), to); }, false,
                     [&] { return budget != nullptr && budget->exhausted(); }};
   way.boundary = boundary_points(task);
   if (way.boundary.kind == BoundaryAnswer::Kind::straight) {
