@@ -92,6 +92,13 @@ struct CompareArguments {
 };
 int compare(const CompareArguments& arguments);
 
+struct ReproduceArguments {
+  std::string what;  ///< whose experiments
+  std::optional<std::filesystem::path> out;
+  int runs = 5;      ///< searches each, for their median time
+};
+int reproduce(const ReproduceArguments& arguments);
+
 struct CheckArguments {
   std::vector<std::filesystem::path> inputs;  ///< one table of stations, or scenario files
   std::optional<std::filesystem::path> map, vehicle;

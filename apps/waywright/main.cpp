@@ -130,11 +130,18 @@ int run(int argc, char** argv) {
   generate_command->add_option("--vehicle", generate_arguments.vehicle, "vehicle.json that the stations leave room for (default: the bundled forklift)");
   generate_command->callback([&] { status = generate(generate_arguments); });
 
-  for (const char* later : {"reproduce", "sweep", "tune", "simulate", "serve", "agv", "fleet"}) {
+  ReproduceArguments reproduce_arguments;
+  auto* reproduce_command = app.add_subcommand("reproduce", "a publication's experiments, printed and ours side by side");
+  reproduce_command->add_option("WHAT", reproduce_arguments.what, "safe_astar")->required();
+  reproduce_command->add_option("-o,--out", reproduce_arguments.out, "folder to write to (default: waywright-out/reproduce-WHAT)");
+  reproduce_command->add_option("--runs", reproduce_arguments.runs, "searches each, for the median of their times")->check(CLI::Range(1, 1000));
+  reproduce_command->callback([&] { status = reproduce(reproduce_arguments); });
+
+  for (const char* later : {"sweep", "tune", "simulate", "serve", "agv", "fleet"}) {
     auto* command = app.add_subcommand(later, "not supported yet");
     command->allow_extras();
     command->callback([&status, later] {
-      status = complain({"", std::string{"command "} + later, "it is not supported yet", "plan, replan, verify, import, compare, check, pareto, list, map, generate"});
+      status = complain({"", std::string{"command "} + later, "it is not supported yet", "plan, replan, verify, import, compare, check, pareto, reproduce, list, map, generate"});
     });
   }
 

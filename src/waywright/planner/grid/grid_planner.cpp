@@ -3,85 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
 #include <optional>
 #include <utility>
 
 #include "waywright/planner/grid/connection.hpp"
 #include "waywright/planner/grid/disc_graph.hpp"
 #include "waywright/planner/grid/grid_path.hpp"
+#include "waywright/planner/grid/grid_words.hpp"
+#include "waywright/planner/grid/search_pool.hpp"
 #include "waywright/planner/grid/sight.hpp"
 #include "waywright/planner/grid/theta_search.hpp"
 
 namespace waywright {
-namespace {
 
-/// Memory of searches, handed out to one plan after another.
-template <class Search>
-class Pool {
- public:
-  class Lent {
-   public:
-    explicit Lent(Pool& pool) : pool_{pool} {
-      const std::lock_guard lock{pool.mutex_};
-      if (pool.free_.empty()) {
-        search_ = std::make_unique<Search>();
-      } else {
-        search_ = std::move(pool.free_.back());
-        pool.free_.pop_back();
-      }
-    }
-    ~Lent() {
-      const std::lock_guard lock{pool_.mutex_};
-      pool_.free_.push_back(std::move(search_));
-    }
-    Lent(const Lent&) = delete;
-    Lent& operator=(const Lent&) = delete;
-    Search& operator*() { return *search_; }
-
-   private:
-    Pool& pool_;
-    std::unique_ptr<Search> search_;
-  };
-  Lent lend() { return Lent{*this}; }
-
- private:
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<Search>> free_;
-};
-
-PlanningFailure failure(Status status, std::string reason, std::optional<Pose> pose = {}) {
-  PlanningFailure f;
-  f.failure.status = status;
-  f.failure.reason = std::move(reason);
-  f.failure.pose = pose;
-  return f;
-}
-
-std::string counted(std::int64_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
-
-std::string place(Vec2 p) { return fmt::format("({:.3f}, {:.3f})", p.x, p.y); }
-
-/// Nothing found: in words.
-PlanningFailure nothing_found(SearchEnd ended, bool at_once, std::int64_t expansions, const Budget& budget, double cell, const std::string& what_fits) {
-  switch (ended) {
-    case SearchEnd::canceled: return failure(Status::canceled, fmt::format("canceled after {}", counted(expansions, "expansion")));
-    case SearchEnd::timed_out:
-      return failure(Status::timed_out, fmt::format("the {:g} s of its budget were over after {}", budget.limits().seconds.value_or(0.0), counted(expansions, "expansion")));
-    case SearchEnd::expansions: return failure(Status::no_path, fmt::format("all {} of its budget were used up before the goal was reached", counted(expansions, "expansion")));
-    case SearchEnd::too_long: return failure(Status::no_path, "the way over the cells is longer than costs of 32 bits can tell");
-    case SearchEnd::unreachable:
-    case SearchEnd::found: break;
-  }
-  const std::string how = at_once ? "known from the connected parts of the free cells, without a search" : fmt::format("all that can be reached was searched, {}", counted(expansions, "expansion"));
-  return failure(Status::no_path, fmt::format("no way over cells of {:g} m leads from start to goal for {}: {}", cell, what_fits, how));
-}
-
-const char* of_neighbours(Neighbours n) {
-  return n == Neighbours::four ? "4 neighbours" : n == Neighbours::eight ? "8 neighbours" : "16 neighbours";
-}
-
-}  // namespace
+using grid::counted, grid::failure, grid::nothing_found, grid::of_neighbours, grid::place;
 
 /// What is known of one problem.
 class GridPlanner::Ready {
@@ -285,9 +220,9 @@ class GridPlanner::Ready {
   Footprint footprint_;                   ///< that is searched for
   GridGraph graph_;                       ///< of a disc
   std::optional<HeadingSpace> headings_;  ///< of other footprints
-  mutable Pool<GridSearch> grids_;
-  mutable Pool<HeadingSearch> in_headings_;
-  mutable Pool<ThetaSearch> any_angles_;
+  mutable SearchPool<GridSearch> grids_;
+  mutable SearchPool<HeadingSearch> in_headings_;
+  mutable SearchPool<ThetaSearch> any_angles_;
 };
 
 GridPlanner GridPlanner::prepared(const Problem& problem) const {

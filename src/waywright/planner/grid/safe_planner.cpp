@@ -1,0 +1,308 @@
+#include "waywright/planner/grid/safe_planner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "waywright/planner/grid/connection.hpp"
+#include "waywright/planner/grid/disc_graph.hpp"
+#include "waywright/planner/grid/grid_path.hpp"
+#include "waywright/planner/grid/grid_words.hpp"
+#include "waywright/planner/grid/search_pool.hpp"
+#include "waywright/planner/grid/sight.hpp"
+
+namespace waywright {
+
+using grid::counted, grid::failure, grid::nothing_found, grid::of_neighbours, grid::place;
+
+namespace {
+
+constexpr double reach_by_radius = 1.5;  // R₁ = 1.5 r; the publication names no r, its reconstruction takes a metre, which is a cell
+
+std::string searches(std::size_t n) { return n == 1 ? "1 search" : fmt::format("{} searches", n); }
+
+Action drive(Vec2 to) { return {Action::Kind::drive, 0.0, to, 1}; }
+
+}  // namespace
+
+/// What is known of one problem.
+class SafePlanner::Ready {
+ public:
+  Ready(const Problem& problem, const SafePlannerOptions& options) : problem_{problem}, options_{options} {
+    if (!problem.vehicle().can_turn_on_the_spot()) return;
+    auto frame = make_grid_frame(problem, options.resolution);
+    if (!frame) {
+      refused_ = frame.error();
+      return;
+    }
+    frame_ = *frame;
+    // Straight parts turn by any angle: a footprint with a shape is searched as the disc around it.
+    disc_ = {{}, problem.footprint().radius()};
+    rule_.reach = options.danger_radius > 0.0 ? options.danger_radius : reach_by_radius * std::max(disc_.disc, frame_.cell);
+    keeps_ = rule_.reach / reach_by_radius;
+    bounds_.emplace(problem, frame_);
+    const double needed = disc_.disc + lattice_margin(problem);
+    CellMap cells = cells_of(needed);
+    if (options.is_published) {
+      ways_.emplace(std::move(cells), frame_.cell, options.method, PublishedWays::Options{rule_, options.neighbours, options.local_radius / frame_.cell, keeps_});
+      bounds_.reset();
+      return;
+    }
+    graph_ = disc_graph(frame_, *bounds_, neighbours(), needed);
+    if (options.method != PublishedMethod::line) set_danger(cells);
+    if (options.method == PublishedMethod::boundary) {
+      obstacles_.emplace(cells.columns, cells.rows, cells.occupied);
+      // A line is only stopped by cells that the vehicle surely cannot be in; what it may pass is asked of the outlines.
+      for (std::size_t i = 0; i < cells.blocked.size(); ++i) {
+        const bool may_be_entered = graph_.free_moves()[i] != 0 || (!graph_.asked_moves().empty() && graph_.asked_moves()[i] != 0);
+        cells.blocked[i] = cells.occupied[i] != 0 || !may_be_entered ? 1 : 0;
+      }
+    }
+    cells_ = std::move(cells);
+  }
+  Ready(const Ready&) = delete;
+  Ready& operator=(const Ready&) = delete;
+
+  bool is_for(const Problem& problem) const { return &problem == &problem_; }
+
+  PlanningResult plan(std::string_view name, Budget& budget) const {
+    if (!problem_.vehicle().can_turn_on_the_spot()) {
+      return tl::unexpected{failure(Status::no_path, fmt::format("{} plans straight lines with turns on the spot, which a tricycle cannot drive", name))};
+    }
+    if (!refused_.empty()) return tl::unexpected{failure(Status::no_path, refused_)};
+    if (budget.exhausted()) return tl::unexpected{nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, 0, budget, 0.0, "")};
+    budget.count_evaluations();
+    const Pose& start = problem_.start();
+    const Pose& goal = problem_.goal();
+    if (start == goal) return tl::unexpected{failure(Status::no_path, "start and goal are the same pose, there is nothing to drive")};
+    MotionCheck test{problem_, disc_};
+    if (distance(start.position(), goal.position()) <= 2.0 * frame_.cell && test.is_drive_free(start.position(), goal.position(), 0.0, connecting_margin(problem_))) {
+      return explained({}, fmt::format("Start and goal are within two cells of {:g} m: the way is straight, without a search.", frame_.cell));
+    }
+    if (ways_) return plan_published(budget);
+    if (options_.method == PublishedMethod::line) return plan_line(budget, test);
+    if (options_.method == PublishedMethod::boundary) return plan_boundary(budget, test);
+    return plan_danger(budget, test, "");
+  }
+
+ private:
+  Neighbours neighbours() const {
+    return options_.method == PublishedMethod::boundary ? Neighbours::sixteen : options_.method == PublishedMethod::line ? Neighbours::eight : options_.neighbours;
+  }
+
+  Cell cell_of(Vec2 world) const { return cell_at(on_cells(world)); }
+  Vec2 on_cells(Vec2 world) const { return frame_.in_cells(world) - Vec2{0.5, 0.5}; }
+  Vec2 in_world(Vec2 cells) const { return frame_.frame.to_world(Vec2{(cells.x + 0.5) * frame_.cell, (frame_.rows - cells.y - 0.5) * frame_.cell}); }
+
+  CellMap cells_of(double needed) const {
+    CellMap cells{frame_.columns, frame_.rows, bounds_->occupied(), {}};
+    if (options_.method == PublishedMethod::boundary && options_.regularise) {
+      cells.occupied = with_regular_obstacles(frame_.columns, frame_.rows, cells.occupied, {cell_of(problem_.start().position()), cell_of(problem_.goal().position())});
+    }
+    cells.blocked = cells.occupied;
+    for (int row = 0; row < frame_.rows; ++row) {
+      for (int column = 0; column < frame_.columns; ++column) {
+        if (bounds_->at_least({column, row}) < needed) cells.blocked[cells.index({column, row})] = 1;
+      }
+    }
+    return cells;
+  }
+
+  void set_danger(const CellMap& cells) {
+    constexpr double most = 65535.0, unit = 256.0;  // as GridGraph counts
+    danger_.emplace(cells.columns, cells.rows, frame_.cell, cells.occupied, rule_);
+    if (options_.danger_weight == 0.0) return;
+    std::vector<std::uint16_t> costs(graph_.cells(), 0);
+    for (int row = 0; row < frame_.rows; ++row) {
+      for (int column = 0; column < frame_.columns; ++column) {
+        const std::size_t at = graph_.index(column, row);
+        const bool is_entered = graph_.free_moves()[at] != 0 || (!graph_.asked_moves().empty() && graph_.asked_moves()[at] != 0);
+        if (is_entered) costs[at] = static_cast<std::uint16_t>(std::min(most, std::round(unit * options_.danger_weight * danger_->at({column, row}))));
+      }
+    }
+    graph_.set_danger(std::move(costs));
+  }
+
+  std::string what_fits() const {
+    return fmt::format("{} of {:.3f} m that keeps {:.3f} m", problem_.footprint().is_disc() ? "a disc" : "the disc around the footprint,", disc_.disc, problem_.required_clearance());
+  }
+
+  PlanningFailure not_connected(bool is_start) const {
+    const Pose& pose = is_start ? problem_.start() : problem_.goal();
+    const std::string of_what = problem_.footprint().is_disc() ? "" : fmt::format(" for the disc of {:.3f} m around the footprint, which is what is searched (astar asks the footprint itself)", disc_.disc);
+    return failure(Status::no_path,
+                   fmt::format("{} the {} at {} no straight drive {} the middle of a cell of {:g} m around it{}; try a finer resolution", is_start ? "from" : "to", is_start ? "start" : "goal",
+                               place(pose.position()), is_start ? "leads to" : "leads from", frame_.cell, of_what),
+                   pose);
+  }
+
+  std::vector<GridEnd> ends_at(const Pose& pose, MotionCheck& test) const {
+    std::vector<GridEnd> ends;
+    for (const DiscConnection& c : disc_connections(problem_, frame_, pose.position(), test)) ends.push_back({c.cell, c.length / frame_.cell});
+    return ends;
+  }
+
+  /// Least cost over the graph within what the budget has left.
+  GridAnswer searched(std::vector<GridEnd> starts, std::vector<GridEnd> goals, Budget& budget, MotionCheck& test) const {
+    GridQuery query;
+    query.starts = std::move(starts);
+    query.goals = std::move(goals);
+    if (budget.limits().expansions) query.expansions = *budget.limits().expansions - budget.expansions();
+    query.budget = &budget;
+    const double margin = lattice_margin(problem_);
+    query.is_free = [&](Cell c, int move) {
+      const Move m = moves[static_cast<std::size_t>(move)];
+      return test.is_drive_free(frame_.centre(c), frame_.centre({c.column + m.column, c.row + m.row}), 0.0, margin);
+    };
+    auto search = grids_.lend();
+    GridAnswer answer = (*search).run(graph_, query);
+    budget.count_expansions(answer.expansions);
+    return answer;
+  }
+
+  PlanningFailure not_found(const GridAnswer& answer, const Budget& budget) const {
+    return nothing_found(answer.ended, answer.known_at_once && budget.expansions() == 0, budget.expansions(), budget, frame_.cell, what_fits());
+  }
+
+  void append(const std::vector<Cell>& cells, std::vector<Action>& actions) const {
+    actions.push_back(drive(frame_.centre(cells.front())));
+    for (const Action& a : drives_along(frame_, cells)) actions.push_back(a);
+  }
+
+  std::string danger_words(const GridAnswer& answer) const {
+    return fmt::format("where a metre costs 1 + {:g}·ψ and ψ is the danger of blocked cells within {:.3f} m: {:.3f} m, and no way over the cells costs less by more than {:.6f} m", options_.danger_weight,
+                       rule_.reach, answer.cost * frame_.cell, answer.error * frame_.cell);
+  }
+
+  PlanningResult plan_danger(Budget& budget, MotionCheck& test, const std::string& why) const {
+    const auto from = ends_at(problem_.start(), test), to = ends_at(problem_.goal(), test);
+    if (from.empty() || to.empty()) return tl::unexpected{not_connected(from.empty())};
+    const GridAnswer answer = searched(from, to, budget, test);
+    if (answer.ended != SearchEnd::found) return tl::unexpected{not_found(answer, budget)};
+    std::vector<Action> actions;
+    append(answer.cells, actions);
+    return explained(actions, fmt::format("{}The least costly way over {} x {} cells of {:g} m with {}, {}; {}.", why, frame_.columns, frame_.rows, frame_.cell, of_neighbours(neighbours()),
+                                          danger_words(answer), counted(budget.expansions(), "expansion")));
+  }
+
+  PlanningResult plan_boundary(Budget& budget, MotionCheck& test) const {
+    const Vec2 start = problem_.start().position(), goal = problem_.goal().position();
+    const Sight sight{problem_, frame_, *bounds_, disc_.disc};
+    const double margin = std::max(lattice_margin(problem_), keeps_ - disc_.disc);
+    const auto sees_goal = [&](Cell c) { return !first_crossing(cells_, middle_of(c), on_cells(goal)) && sight.is_free(frame_.centre(c), goal, margin); };
+    const BoundaryAnswer boundary = boundary_points({cells_, *obstacles_, *danger_, on_cells(start), on_cells(goal), sees_goal, true, [&] { return budget.exhausted(); }});
+    if (budget.exhausted()) return tl::unexpected{nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, 0, budget, frame_.cell, "")};
+    if (boundary.kind == BoundaryAnswer::Kind::straight && sight.is_free(start, goal, connecting_margin(problem_))) return explained({}, "Nothing stands between start and goal: the way is straight, without a search.");
+    if (boundary.kind != BoundaryAnswer::Kind::joined) {
+      return plan_danger(budget, test, boundary.kind == BoundaryAnswer::Kind::none ? fmt::format("No boundary point leads to the goal ({}), so the search went all the way. ", boundary.why) : "");
+    }
+    const auto from = ends_at(problem_.start(), test);
+    if (from.empty()) return tl::unexpected{not_connected(true)};
+    const GridAnswer answer = searched(from, {{boundary.last, 0.0}}, budget, test);
+    if (answer.ended != SearchEnd::found) return tl::unexpected{not_found(answer, budget)};
+    std::vector<Action> actions;
+    append(answer.cells, actions);
+    const Vec2 last = frame_.centre(boundary.last);
+    return explained(actions, fmt::format("From corner to corner of what stands between, {} the way to the goal is straight, {:.3f} m from {}, keeping {:.3f} m or more. Up to there the least costly way over "
+                                          "{} x {} cells of {:g} m with 16 neighbours, {}; {}.",
+                                          boundary.corners.empty() ? std::string{"none of which is needed,"} : fmt::format("{} in all,", counted(static_cast<std::int64_t>(boundary.corners.size()), "boundary point")),
+                                          distance(last, goal), place(last), margin + disc_.disc, frame_.columns, frame_.rows, frame_.cell, danger_words(answer), counted(budget.expansions(), "expansion")));
+  }
+
+  PlanningResult plan_line(Budget& budget, MotionCheck& test) const {
+    const Vec2 start = problem_.start().position(), goal = problem_.goal().position();
+    const Sight sight{problem_, frame_, *bounds_, disc_.disc};
+    const double margin = lattice_margin(problem_);
+    const Vec2 from = on_cells(start), to = on_cells(goal);
+    const double whole = distance(from, to);
+    const auto detours = detours_of(cells_, from, to, options_.local_radius / frame_.cell, [&](Vec2 a, Vec2 b) { return sight.is_free(in_world(a), in_world(b), margin); });
+    std::vector<Action> actions;
+    for (const Detour& d : detours) {
+      std::vector<GridEnd> starts, goals;
+      if (d.begin <= 0.0) starts = ends_at(problem_.start(), test);
+      else starts = {{cell_on(from, to, d.begin), 0.0}};
+      if (d.end >= whole) goals = ends_at(problem_.goal(), test);
+      else goals = {{cell_on(from, to, d.end), 0.0}};
+      if (starts.empty() || goals.empty()) return tl::unexpected{not_connected(starts.empty())};
+      const GridAnswer answer = searched(starts, goals, budget, test);
+      if (answer.ended != SearchEnd::found) return tl::unexpected{not_found(answer, budget)};
+      append(answer.cells, actions);
+    }
+    return explained(actions, detours.empty() ? std::string{"Nothing stands on the straight line from start to goal: the way is straight, without a search."}
+                                              : fmt::format("The straight line from start to goal, with {} over {} x {} cells of {:g} m, each from {:g} m before an obstacle to {:g} m behind it; {}.",
+                                                            searches(detours.size()), frame_.columns, frame_.rows, frame_.cell,
+                                                            options_.local_radius, options_.local_radius, counted(budget.expansions(), "expansion")));
+  }
+
+  PlanningResult plan_published(Budget& budget) const {
+    const Cell start = cell_of(problem_.start().position()), goal = cell_of(problem_.goal().position());
+    auto search = published_.lend();
+    const PublishedWay way = ways_->way(start, goal, *search, budget.limits().expansions, &budget);
+    budget.count_expansions(way.expansions);
+    if (budget.exhausted()) return tl::unexpected{nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, way.expansions, budget, frame_.cell, "")};
+    if (way.ended != SearchEnd::found) return tl::unexpected{nothing_found(way.ended, way.known_at_once, way.expansions, budget, frame_.cell, what_fits())};
+    std::vector<Action> actions;
+    for (std::size_t i = 0; i < way.points.size(); ++i) {
+      if (i > 0 && i + 1 < way.points.size()) {
+        const Vec2 before = way.points[i] - way.points[i - 1], after = way.points[i + 1] - way.points[i];
+        constexpr double straight = 1e-9;
+        if (std::abs(cross(before, after)) <= straight && dot(before, after) > 0.0) continue;
+      }
+      actions.push_back(drive(in_world(way.points[i])));
+    }
+    std::string how = options_.method == PublishedMethod::line ? fmt::format("the straight line with {} around what it crosses", searches(way.local))
+                      : options_.method == PublishedMethod::danger ? fmt::format("{}, the danger coefficient in what is expected", of_neighbours(options_.neighbours))
+                      : way.fell_back ? fmt::format("16 neighbours all the way, as no boundary point leads to the goal ({})", way.boundary.why)
+                                      : fmt::format("16 neighbours, then straight, by {}", counted(static_cast<std::int64_t>(way.boundary.corners.size()), "boundary point"));
+    Planned planned = explained(actions, fmt::format("As published, over {} x {} cells of {:g} m: {}; {}. It goes past single corners of blocked cells, and what comes nearer to something than is "
+                                                     "required is not proven.",
+                                                     frame_.columns, frame_.rows, frame_.cell, how, counted(way.expansions, "expansion")));
+    return planned;
+  }
+
+  Planned explained(const std::vector<Action>& actions, std::string how) const {
+    Planned planned;
+    planned.path = path_of(problem_.start(), actions, problem_.goal());
+    const Turning turning = turning_of(planned.path);
+    planned.explanation.push_back(std::move(how));
+    planned.explanation.push_back(fmt::format("It is {:.3f} m long, the straight line from start to goal {:.3f} m, less than which no way can be; it turns on the spot {}, {:.1f}° in all.",
+                                              length(planned.path), distance(problem_.start().position(), problem_.goal().position()),
+                                              turning.turns == 1 ? std::string{"once"} : fmt::format("{} times", turning.turns), turning.angle * 180.0 / pi));
+    if (!problem_.footprint().is_disc()) {
+      planned.explanation.push_back(fmt::format("It was searched for the disc around the footprint, {:.3f} m, which can turn wherever it can stand; astar finds narrower ways.", disc_.disc));
+    }
+    return planned;
+  }
+
+  const Problem& problem_;
+  const SafePlannerOptions options_;
+  std::string refused_;
+  GridFrame frame_;
+  Footprint disc_;
+  DangerRule rule_;
+  double keeps_ = 0.0;  ///< m from everything, on straight parts
+  std::optional<CellBounds> bounds_;
+  std::optional<PublishedWays> ways_;  ///< of the published form; the rest is of the corrected one
+  GridGraph graph_;
+  CellMap cells_;
+  std::optional<CellDanger> danger_;
+  std::optional<CellObstacles> obstacles_;
+  mutable SearchPool<GridSearch> grids_;
+  mutable SearchPool<PublishedSearch> published_;
+};
+
+SafePlanner SafePlanner::prepared(const Problem& problem) const {
+  SafePlanner planner = *this;
+  planner.ready_ = std::make_shared<const Ready>(problem, options_);
+  return planner;
+}
+
+PlanningResult SafePlanner::plan(const Problem& problem, Budget& budget) const {
+  if (ready_ && ready_->is_for(problem)) return ready_->plan(name_, budget);
+  return Ready{problem, options_}.plan(name_, budget);
+}
+
+}  // namespace waywright

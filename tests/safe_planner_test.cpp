@@ -1,0 +1,169 @@
+// `danger_astar`, `block_astar` and `safe_astar` from problem to proven plan.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "waywright/core/random.hpp"
+#include "waywright/io/plan_io.hpp"
+#include "waywright/judge/judge.hpp"
+#include "waywright/map/published_maps.hpp"
+#include "waywright/planner/registry.hpp"
+
+namespace waywright {
+namespace {
+
+Plan planned(Scenario scenario, const std::string& planner, Parameters parameters = {}) {
+  scenario.planner = {planner, std::move(parameters)};
+  return *solve(Problem::prepare(std::move(scenario)).value());
+}
+
+/// The publication's robot, a point, on one of its maps.
+Scenario published(const char* name, double radius = 0.0, std::size_t task = 0) {
+  const PublishedMap map = published_map(name).value();
+  Scenario s;
+  s.name = name;
+  s.map.grids = {map.grid};
+  s.vehicle.footprint = {{}, radius};
+  s.vehicle.drive = Differential{0.6};
+  s.vehicle.limits.angular_speed = 1.0;
+  s.start = make_pose(map.tasks[task].start, 0.0);
+  s.mission = make_pose(map.tasks[task].goal, 0.0);
+  return s;
+}
+
+Scenario hall(Random& random, const Footprint& footprint, double clearance, int boxes) {
+  Scenario s;
+  s.map.boundaries = {rectangle({0, 0}, {12, 9})};
+  for (int i = 0; i < boxes; ++i) {
+    const Vec2 at{random.uniform(0, 11), random.uniform(0, 8)};
+    s.map.obstacles.push_back(transformed(rectangle({0, 0}, {random.uniform(0.2, 1.2), random.uniform(0.2, 1.2)}), Frame{make_pose(at, random.uniform(-1, 1))}));
+  }
+  s.vehicle.footprint = footprint;
+  s.vehicle.drive = Differential{0.5};
+  s.vehicle.limits.angular_speed = 1.0;
+  s.clearance = clearance;
+  World world{s.map};
+  world.build();
+  const auto pose = [&] {
+    for (int tries = 0; tries < 10'000; ++tries) {
+      const Pose p{random.uniform(0.3, 11.7), random.uniform(0.3, 8.7), random.uniform(-3, 3)};
+      if (world.clearance(footprint, p, 1.0).clearance > clearance + 1e-4) return p;
+    }
+    return Pose{};
+  };
+  s.start = pose();
+  s.mission = pose();
+  return s;
+}
+
+const Footprint disc{{}, 0.3};
+const Footprint box{{{-0.35, -0.25}, {0.3, -0.25}, {0.3, 0.25}, {-0.35, 0.25}}, 0.0};
+
+// Of the corrected forms nothing is left for the proof to refuse, and they find a way where `astar` finds one for the disc.
+TEST(SafePlanner, EveryCorrectedWayIsProven) {
+  Random random{77};
+  int solved = 0, straight = 0;
+  for (int i = 0; i < 40; ++i) {
+    Scenario s = hall(random, i % 3 == 0 ? box : disc, i % 4 == 0 ? 0.0 : 0.05, 14);
+    if (i % 5 == 0) s.pose_error = {0.01, 0.01, 0.01};
+    const Plan any = planned(s, "theta_star", {{"resolution", 0.2}});
+    for (const char* name : {"danger_astar", "block_astar", "safe_astar"}) {
+      SCOPED_TRACE(testing::Message() << i << " " << name);
+      const Plan plan = planned(s, name, {{"resolution", 0.2}});
+      ASSERT_NE(plan.status, Status::unproven) << plan.reason;
+      if (std::string_view{name} == "danger_astar") {
+        ASSERT_EQ(plan.status, any.status) << plan.reason << " / " << any.reason;
+      }
+      if (plan.status != Status::solved) {
+        ASSERT_FALSE(plan.reason.empty());
+        continue;
+      }
+      ++solved;
+      straight += plan.explanation.front().find("From corner to corner") == 0 ? 1 : 0;
+      ASSERT_GE(plan.certificate.clearance, s.clearance);
+      const Plan read = parse_plan(plan_json(plan), "plan.json").value();
+      ASSERT_TRUE(verify(read)->holds);
+    }
+  }
+  EXPECT_GT(solved, 60);
+  EXPECT_GT(straight, 5);
+}
+
+TEST(SafePlanner, DangerKeepsAwayAndCostsLength) {
+  for (const char* map : {"SA-CONVEX", "SA-RAND1", "SA-RAND3"}) {
+    SCOPED_TRACE(map);
+    const Scenario s = published(map, 0.4);
+    const Plan near = planned(s, "astar"), far = planned(s, "danger_astar");
+    ASSERT_EQ(near.status, Status::solved) << near.reason;
+    ASSERT_EQ(far.status, Status::solved) << far.reason;
+    EXPECT_GE(far.metrics.length, near.metrics.length - 1e-9);
+    EXPECT_LT(far.metrics.collision_risk, near.metrics.collision_risk);
+    const Plan indifferent = planned(s, "danger_astar", {{"danger_weight", 0.0}});
+    EXPECT_NEAR(indifferent.metrics.length, near.metrics.length, 1e-6);
+  }
+}
+
+TEST(SafePlanner, BoundaryPointsHoldForAVehicleToo) {
+  for (const char* map : {"SA-CONVEX", "SA-NARROW", "SA-RAND1"}) {
+    SCOPED_TRACE(map);
+    const Scenario s = published(map, 0.4);
+    const Plan sha = planned(s, "safe_astar"), astar = planned(s, "astar"), danger = planned(s, "danger_astar", {{"neighbours", 16.0}});
+    ASSERT_EQ(sha.status, Status::solved) << sha.reason;
+    EXPECT_EQ(sha.explanation.front().find("From corner to corner"), 0U) << sha.explanation.front();
+    EXPECT_LT(sha.metrics.length, astar.metrics.length);
+    EXPECT_LT(sha.metrics.length, danger.metrics.length);
+    EXPECT_LT(sha.effort.expansions, danger.effort.expansions);
+  }
+}
+
+TEST(SafePlanner, PublishedFormsComeAsTheyAre) {
+  // The publication's robot goes past single corners of blocked cells: a point touches them.
+  const Plan danger = planned(published("SA-CONVEX"), "danger_astar", {{"form", std::string{"published"}}});
+  EXPECT_NEAR(danger.metrics.length, 383.89, 0.01);
+  const Plan shortest = planned(published("SA-RAND1"), "block_astar", {{"form", std::string{"published"}}});
+  ASSERT_FALSE(shortest.samples.empty());
+  EXPECT_EQ(shortest.status, Status::unproven) << "a corner is passed";
+  const Plan sha = planned(published("SA-NARROW"), "safe_astar", {{"form", std::string{"published"}}});
+  EXPECT_EQ(sha.status, Status::solved) << sha.reason;
+  EXPECT_NEAR(sha.metrics.length, 405.76, 0.01);
+  // Corrected, the point is proven.
+  for (const char* name : {"danger_astar", "block_astar", "safe_astar"}) EXPECT_EQ(planned(published("SA-RAND1"), name).status, Status::solved) << name;
+}
+
+TEST(SafePlanner, RegularObstaclesAreWhereTheIrregularOnesWere) {
+  const Scenario s = published("SA-IRR", 0.4);
+  const Plan as_they_are = planned(s, "safe_astar"), regular = planned(s, "safe_astar", {{"regularise", true}});
+  ASSERT_EQ(as_they_are.status, Status::solved) << as_they_are.reason;
+  ASSERT_EQ(regular.status, Status::solved) << regular.reason;
+  EXPECT_NE(as_they_are.metrics.length, regular.metrics.length);
+}
+
+TEST(SafePlanner, WhatCannotBeReachedFailsWithItsReason) {
+  Scenario s;
+  s.map.boundaries = {rectangle({0, 0}, {10, 8})};
+  s.map.obstacles = {rectangle({6, 0.01}, {6.2, 7.99})};
+  s.vehicle.footprint = disc;
+  s.vehicle.drive = Differential{0.5};
+  s.start = {1, 1, 0};
+  s.mission = Pose{9, 7, 0};
+  for (const char* name : {"danger_astar", "block_astar", "safe_astar"}) {
+    for (const char* form : {"corrected", "published"}) {
+      const Plan plan = planned(s, name, {{"form", std::string{form}}});
+      EXPECT_EQ(plan.status, Status::no_path) << name << form;
+      EXPECT_NE(plan.reason.find("no way over cells"), std::string::npos) << plan.reason;
+    }
+  }
+}
+
+TEST(SafePlanner, RefusesWhatCannotTurnOnTheSpot) {
+  Scenario s = published("SA-RAND1");
+  s.vehicle.drive = Tricycle{1.0, 1.0};
+  for (const char* name : {"danger_astar", "block_astar", "safe_astar"}) {
+    const Plan plan = planned(s, name);
+    EXPECT_EQ(plan.status, Status::no_path);
+    EXPECT_EQ(plan.reason, std::string{name} + " plans straight lines with turns on the spot, which a tricycle cannot drive");
+  }
+}
+
+}  // namespace
+}  // namespace waywright
