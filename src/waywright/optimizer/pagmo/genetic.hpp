@@ -51,11 +51,12 @@ class ArithmeticGeneticAlgorithm {
   pagmo::population evolve(pagmo::population population) const;
   std::string get_name() const { return "genetic algorithm with arithmetic crossover"; }
 
+  static constexpr std::size_t elites = 2;
+
  private:
   static constexpr double crossover_probability = 0.8;
   static constexpr double mutation_probability = 0.1;
   static constexpr double mutation_width = 0.05;  // of the range
-  static constexpr std::size_t elites = 2;
   unsigned generations_;
   unsigned seed_;
 };

@@ -110,7 +110,10 @@ std::vector<OptimizerDescription> pagmo_optimizers() {
                0, 4),
       describe("ga_spline", "genetic algorithm of the safe-A* publication: tournament 2, arithmetic crossover 0.8, Gaussian mutation 0.1 of 5 % of the range, two elites",
                [](const Setting& set) {
-                 return pagmo::algorithm{ArithmeticGeneticAlgorithm{set.generations, set.seed}};
+                 // Elites are not evaluated again: what they leave is for more generations.
+                 const auto size = static_cast<std::uint64_t>(set.population);
+                 const std::uint64_t generations = size > ArithmeticGeneticAlgorithm::elites ? set.generations * size / (size - ArithmeticGeneticAlgorithm::elites) + 1 : 1;
+                 return pagmo::algorithm{ArithmeticGeneticAlgorithm{static_cast<unsigned>(std::min<std::uint64_t>(generations, 1'000'000'000)), set.seed}};
                },
                0, 4),
       describe("capso", "particle swarm of the safe-A* publication: chaotic factors, weights that follow a cosine, antennae; three evaluations a move",
