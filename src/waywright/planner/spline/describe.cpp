@@ -12,8 +12,9 @@ PlannerDescription description_of(std::string name, std::string summary, SplineF
               {.name = "form", .default_value = std::string{"metres"}, .summary = "what is least: length, nearness and bends in metres, or the publication's fitness (27)",
                .choices = {"metres", "published"}},
               {.name = "control_points", .default_value = 6.0, .summary = "between start and goal; the publication tried 3 to 6", .low = 2, .high = 50, .whole = true},
-              {.name = "space", .default_value = std::string{"line"},
-               .summary = "of control points. line: each about its place on the straight line, mostly near it; map: anywhere, ordered along that line, as published", .choices = {"line", "map"}},
+              {.name = "space", .default_value = std::string{"auto"},
+               .summary = "of control points. guide: about a shortest way around obstacles; line: about the straight line; map: anywhere, ordered along that line, as published; auto: guide, of form=published map",
+               .choices = {"auto", "guide", "line", "map"}},
               {.name = "optimizer", .default_value = own, .summary = own + " takes over from lattice_search beyond six variables", .choices = optimizers},
               {.name = "evaluations", .default_value = static_cast<double>(evaluations), .summary = "curves looked at; of form=published with weights=normalised a fifth for each of five searches",
                .low = 1, .high = 1e8, .whole = true},
@@ -37,7 +38,9 @@ SplineOptions spline_options(SplineForm curve, const Parameters& p) {
   SplineOptions options;
   options.curve = curve;
   options.objective = word_of(p, "form") == "published" ? SplineObjective::published : SplineObjective::metres;
-  options.space = word_of(p, "space") == "map" ? ControlSpace::map : ControlSpace::line;
+  const std::string space = word_of(p, "space");
+  if (space == "line") options.space = ControlSpace::line;
+  if (space == "map" || (space == "auto" && options.objective == SplineObjective::published)) options.space = ControlSpace::map;
   options.normalises = word_of(p, "weights") == "normalised";
   options.control_points = static_cast<int>(number_of(p, "control_points"));
   options.evaluations = whole_number_of(p, "evaluations");

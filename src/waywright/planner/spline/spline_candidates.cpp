@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "waywright/planner/spline/guide.hpp"
 #include "waywright/planner/waypoint/nearness.hpp"
 
 namespace waywright {
@@ -25,48 +26,58 @@ SplineEnds ends_for(const Problem& problem, SplineObjective objective) {
 
 }  // namespace
 
-SplineCandidates::SplineCandidates(const Problem& problem, const SplineOptions& options)
+SplineCandidates::SplineCandidates(const Problem& problem, const SplineOptions& options, const std::vector<Vec2>& guide)
     : problem_{problem}, options_{options}, ends_{ends_for(problem, options.objective)}, measurer_{problem} {
   const Vec2 start = problem.start().position(), goal = problem.goal().position();
-  distance_ = distance(start, goal);
-  along_ = distance_ > 1e-9 ? (1.0 / distance_) * (goal - start) : unit(problem.start().heading);
-  across_ = left_of(along_);
   const double reach = 2.0 * problem.footprint().radius();
   Box box = problem.world().empty() ? Box{start, start} : problem.world().bounds();
   box.low = {std::min({box.low.x, start.x, goal.x}), std::min({box.low.y, start.y, goal.y})};
   box.high = {std::max({box.high.x, start.x, goal.x}), std::max({box.high.y, start.y, goal.y})};
-  if (problem.world().empty()) {  // nothing to go around: room to turn in
-    box.low = box.low - Vec2{reach, reach};
-    box.high = box.high + Vec2{reach, reach};
-  }
   // A map of no width is none that control points could be looked for in.
-  if (!(box.high.x - box.low.x > reach)) box = {box.low - Vec2{reach, 0.0}, box.high + Vec2{reach, 0.0}};
-  if (!(box.high.y - box.low.y > reach)) box = {box.low - Vec2{0.0, reach}, box.high + Vec2{0.0, reach}};
-  const auto count = static_cast<std::size_t>(options.control_points);
-  slot_ = slots * std::max(distance_, least_slot * static_cast<double>(count + 1)) / static_cast<double>(count + 1);
-  right_ = left_ = reach;
-  for (const Vec2 corner : {box.low, Vec2{box.high.x, box.low.y}, box.high, Vec2{box.low.x, box.high.y}}) {
-    const double aside = dot(corner - start, across_);
-    left_ = std::max(left_, aside);
-    right_ = std::max(right_, -aside);
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (options.space == ControlSpace::map) {
-      space_.low.insert(space_.low.end(), {box.low.x, box.low.y});
-      space_.high.insert(space_.high.end(), {box.high.x, box.high.y});
-    } else {
-      space_.low.insert(space_.low.end(), {-1.0, -1.0});
-      space_.high.insert(space_.high.end(), {1.0, 1.0});
-    }
+  if (problem.world().empty() || !(box.high.x - box.low.x > reach)) box = {box.low - Vec2{reach, 0.0}, box.high + Vec2{reach, 0.0}};
+  if (problem.world().empty() || !(box.high.y - box.low.y > reach)) box = {box.low - Vec2{0.0, reach}, box.high + Vec2{0.0, reach}};
+  if (options.space != ControlSpace::map) add_places(guide, box);
+  for (int i = 0; i < options.control_points; ++i) {
+    const bool is_in_map = options.space == ControlSpace::map;
+    space_.low.insert(space_.low.end(), {is_in_map ? box.low.x : -1.0, is_in_map ? box.low.y : -1.0});
+    space_.high.insert(space_.high.end(), {is_in_map ? box.high.x : 1.0, is_in_map ? box.high.y : 1.0});
   }
   if (options.curve == SplineForm::bspline && ends_ == SplineEnds::kept) {
-    const double longest = std::max(0.5 * distance_, reach);
+    const double longest = std::max(0.5 * distance(start, goal), reach);
     space_.low.insert(space_.low.end(), 2, 0.02 * longest);
     space_.high.insert(space_.high.end(), 2, longest);
   }
 }
 
-std::vector<double> SplineCandidates::straight() const {
+void SplineCandidates::add_places(const std::vector<Vec2>& guide, const Box& box) {
+  const Vec2 start = problem_.start().position(), goal = problem_.goal().position();
+  const auto count = static_cast<std::size_t>(options_.control_points);
+  const double straight = distance(start, goal);
+  const bool is_guided = guide.size() >= 2;
+  std::vector<Vec2> way{start};
+  for (std::size_t i = 1; i <= count && !is_guided; ++i) way.push_back(start + (static_cast<double>(i) / static_cast<double>(count + 1)) * (goal - start));
+  if (is_guided) {
+    for (const Vec2 p : points_along(guide, count)) way.push_back(p);
+  }
+  way.push_back(goal);
+  double length = 0.0;
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) length += distance(way[i], way[i + 1]);
+  const double slot = slots * std::max(length / static_cast<double>(count + 1), least_slot);
+  for (std::size_t i = 1; i <= count; ++i) {
+    Place place{way[i], way[i + 1] - way[i - 1], slot, slot, slot};
+    const double by = norm(place.along);
+    place.along = by > 1e-9 ? (1.0 / by) * place.along : straight > 1e-9 ? (1.0 / straight) * (goal - start) : unit(problem_.start().heading);
+    for (const Vec2 corner : {box.low, Vec2{box.high.x, box.low.y}, box.high, Vec2{box.low.x, box.high.y}}) {
+      if (is_guided) break;  // it knows the side
+      const double aside = dot(corner - place.at, left_of(place.along));
+      place.left = std::max(place.left, aside);
+      place.right = std::max(place.right, -aside);
+    }
+    places_.push_back(place);
+  }
+}
+
+std::vector<double> SplineCandidates::plainest() const {
   std::vector<double> x;
   const Vec2 start = problem_.start().position(), goal = problem_.goal().position();
   for (int i = 0; i < options_.control_points; ++i) {
@@ -79,21 +90,20 @@ std::vector<double> SplineCandidates::straight() const {
 }
 
 std::vector<Vec2> SplineCandidates::control_points(std::span<const double> x) const {
-  const auto count = static_cast<std::size_t>(options_.control_points);
-  const Vec2 start = problem_.start().position();
-  std::vector<Vec2> points(count);
-  for (std::size_t i = 0; i < count; ++i) {
+  std::vector<Vec2> points(static_cast<std::size_t>(options_.control_points));
+  const auto squared = [](double v) { return v * std::abs(v); };  // half of what is drawn lies within a quarter of the width
+  for (std::size_t i = 0; i < points.size(); ++i) {
     const double u = x[2 * i], v = x[2 * i + 1];
     if (options_.space == ControlSpace::map) {
       points[i] = {u, v};
       continue;
     }
-    const double ahead = distance_ * static_cast<double>(i + 1) / static_cast<double>(count + 1) + slot_ * u;
-    const double aside = v * std::abs(v) * (v < 0.0 ? right_ : left_);  // squared: half of what is drawn lies within a quarter of the width
-    points[i] = start + ahead * along_ + aside * across_;
+    const Place& place = places_[i];
+    points[i] = place.at + (squared(u) * place.ahead) * place.along + (squared(v) * (v < 0.0 ? place.right : place.left)) * left_of(place.along);
   }
   if (options_.space == ControlSpace::map) {
-    std::stable_sort(points.begin(), points.end(), [&](Vec2 a, Vec2 b) { return dot(a - start, along_) < dot(b - start, along_); });
+    const Vec2 start = problem_.start().position(), along = problem_.goal().position() - start;
+    std::stable_sort(points.begin(), points.end(), [&](Vec2 a, Vec2 b) { return dot(a - start, along) < dot(b - start, along); });
   }
   return points;
 }

@@ -12,12 +12,13 @@ namespace waywright {
 /// Evaluates candidates of one problem, in memory that is kept: for one thread.
 class SplineCandidates {
  public:
-  /// @pre both outlive this
-  SplineCandidates(const Problem& problem, const SplineOptions& options);
+  /// `guide`: corners of a way from start to goal that control points are looked for about; empty: the straight line. @pre problem and options
+  /// outlive this
+  SplineCandidates(const Problem& problem, const SplineOptions& options, const std::vector<Vec2>& guide = {});
 
   const SearchSpace& space() const { return space_; }
-  /// The candidate whose control points are evenly on the straight line.
-  std::vector<double> straight() const;
+  /// The candidate whose control points are on the straight line, or on the guide.
+  std::vector<double> plainest() const;
   std::vector<Vec2> control_points(std::span<const double> x) const;
   std::optional<SplineCurve> curve_at(std::span<const double> x) const;
   SplineEnds ends() const { return ends_; }
@@ -48,15 +49,17 @@ class SplineCandidates {
 
  private:
   double depth_of(const Pose& pose) const;
+  void add_places(const std::vector<Vec2>& guide, const Box& box);
 
   const Problem& problem_;
   const SplineOptions& options_;
   SplineEnds ends_;
   SearchSpace space_;
-  Vec2 along_{}, across_{};        // unit, from start to goal and to its left
-  double distance_ = 0.0;          // m, from start to goal
-  double slot_ = 0.0;              // m, how far a point may be from its place along the line
-  double right_ = 0.0, left_ = 0.0;  // m, how far aside
+  struct Place {
+    Vec2 at{}, along{};                       // along: unit
+    double ahead = 0.0, left = 0.0, right = 0.0;  // m, how far from it a control point may be
+  };
+  std::vector<Place> places_;                 // of control points; not of ControlSpace::map
   SplineMeasurer measurer_;
   std::vector<SplineSample> samples_;
   std::vector<Pose> poses_;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "waywright/optimizer/lattice_search.hpp"
+#include "waywright/planner/spline/guide.hpp"
 #include "waywright/planner/spline/spline_words.hpp"
 #include "waywright/planner/waypoint/best_candidates.hpp"
 #include "waywright/proof/proof.hpp"
@@ -17,7 +18,7 @@ namespace {
 constexpr double unsolvable = 1e30;
 constexpr std::int64_t searches = 5;  // of the published form: length, risk, turning, energy, and all together
 
-/// One search after another with the same variables, the straight line first in each.
+/// One search after another with the same variables, the plainest candidate first in each.
 class Search {
  public:
   Search(const SplineCandidates& candidates, const Optimizer& optimizer, int population, std::uint64_t seed, Budget& budget)
@@ -26,7 +27,7 @@ class Search {
   /// Evaluates at most `evaluations` ≥ 1 candidates; how many it did.
   std::int64_t minimise(const std::function<Evaluation(std::span<const double>)>& cost, std::int64_t evaluations) {
     if (budget_.exhausted()) return 0;
-    of_straight = cost(candidates_.straight());
+    of_plainest = cost(candidates_.plainest());
     budget_.count_evaluations();
     SearchOptions search;
     search.evaluations = evaluations - 1;
@@ -36,7 +37,7 @@ class Search {
     return 1 + optimizer_.minimise([&](std::span<const double> x, double) { return cost(x); }, candidates_.space(), search, budget_).evaluations;
   }
 
-  Evaluation of_straight{};  ///< of the last search
+  Evaluation of_plainest{};  ///< of the last search
 
  private:
   const SplineCandidates& candidates_;
@@ -45,6 +46,12 @@ class Search {
   std::uint64_t seed_;
   Budget& budget_;
 };
+
+double length_of(const std::vector<Vec2>& way) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) sum += distance(way[i], way[i + 1]);
+  return sum;
+}
 
 Evaluation plain(double value) { return {value, 0.0, value}; }
 
@@ -77,7 +84,9 @@ SplineWeights searched_weights(SplineCandidates& candidates, Search& search, std
 }  // namespace
 
 PlanningResult SplinePlanner::plan(const Problem& problem, Budget& budget) const {
-  SplineCandidates candidates{problem, options_};
+  std::vector<Vec2> guide;
+  if (options_.space == ControlSpace::guide) guide = guide_for(problem, options_.wanted_clearance, budget).value_or(std::vector<Vec2>{});
+  SplineCandidates candidates{problem, options_, guide};
   const bool is_too_wide = candidates.space().dimension() > LatticeSearch::most_variables && dynamic_cast<const LatticeSearch*>(optimizer_.get()) != nullptr;
   Search search{candidates, is_too_wide ? *for_many_ : *optimizer_, options_.population, seed_, budget};
   const bool is_ours = options_.objective == SplineObjective::metres;
@@ -130,7 +139,13 @@ PlanningResult SplinePlanner::plan(const Problem& problem, Budget& budget) const
   const SplineCandidates::Parts parts = candidates.parts_of(curve);
   const std::vector<Vec2> points = candidates.control_points(answer.x);
   auto& text = planned.explanation;
-  text.push_back(points_sentence(options_, points, answer.evaluation.objective, search.of_straight, of_all));
+  text.push_back(points_sentence(options_, points, answer.evaluation.objective, search.of_plainest, of_all, !guide.empty()));
+  if (!guide.empty()) {
+    text.push_back(guide.size() == 2 ? std::string{"They were looked for about the straight line, which is free for the disc around the footprint."}
+                                     : fmt::format("They were looked for about a shortest way for the disc around the footprint, {:.3f} m in {} straight lines.", length_of(guide), guide.size() - 1));
+  } else if (options_.space == ControlSpace::guide) {
+    text.push_back("They were looked for about the straight line: the disc around the footprint has no way to the goal.");
+  }
   if (is_too_wide) text.push_back(fmt::format("lattice_search takes at most {} variables; with {} the publication's own optimizer searched in its place.", LatticeSearch::most_variables, candidates.space().dimension()));
   if (refused > 0) text.push_back(fmt::format("{} cost less, and the proof refused {}.", refused == 1 ? "1 candidate" : fmt::format("{} candidates", refused), refused == 1 ? "it" : "them"));
   if (is_ours) {
@@ -142,9 +157,9 @@ PlanningResult SplinePlanner::plan(const Problem& problem, Budget& budget) const
   }
   text.push_back(curve_sentence(problem, options_, curve, parts, candidates.ends()));
   planned.alternatives.push_back({"control points chosen", true, answer.evaluation.objective, curve_sentence(problem, options_, curve, parts, candidates.ends()), picture_of(problem, curve), {}});
-  if (const auto plain_curve = candidates.curve_at(candidates.straight())) {
-    Alternative alternative{"control points on the straight line", false, std::nullopt, "Start, goal and control points evenly between them.", picture_of(problem, *plain_curve), {}};
-    if (!(search.of_straight.violation > 0.0)) alternative.cost = search.of_straight.objective;
+  if (const auto plain_curve = candidates.curve_at(candidates.plainest())) {
+    Alternative alternative{guide.empty() ? "control points on the straight line" : "control points on the guide", false, std::nullopt, "What the search begins with.", picture_of(problem, *plain_curve), {}};
+    if (!(search.of_plainest.violation > 0.0)) alternative.cost = search.of_plainest.objective;
     planned.alternatives.push_back(std::move(alternative));
   }
   return planned;

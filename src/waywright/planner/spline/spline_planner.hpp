@@ -20,14 +20,15 @@ enum class SplineObjective {
 
 /// Where control points are looked for.
 enum class ControlSpace {
-  line,  ///< each about its own place on the straight line from start to goal, as far to its sides as the map goes, mostly near it
-  map,   ///< anywhere in the map's box, in the order of their projections on that line (published)
+  guide,  ///< each about its own place on a shortest way around obstacles, mostly near it; on the straight line where there is no such way
+  line,   ///< each about its own place on the straight line, as far to its sides as the map goes, mostly near it
+  map,    ///< anywhere in the map's box, in the order of their projections on the straight line (published)
 };
 
 struct SplineOptions {
   SplineForm curve = SplineForm::cubic;
   SplineObjective objective = SplineObjective::metres;
-  ControlSpace space = ControlSpace::line;
+  ControlSpace space = ControlSpace::guide;
   bool normalises = true;          ///< weights of (27) by single-objective searches; else the publication's
   int control_points = 6;          ///< ≥ 2
   std::int64_t evaluations = 9030;

@@ -31,12 +31,13 @@ std::string curve_name(SplineForm form, SplineEnds ends) {
   return form == SplineForm::bspline ? "B-spline" : ends == SplineEnds::kept ? "cubic spline" : "natural cubic spline";
 }
 
-std::string points_sentence(const SplineOptions& options, std::span<const Vec2> points, double chosen, const Evaluation& of_straight, std::int64_t looked) {
+std::string points_sentence(const SplineOptions& options, std::span<const Vec2> points, double chosen, const Evaluation& of_plainest, std::int64_t looked, bool is_guided) {
   const bool is_ours = options.objective == SplineObjective::metres;
   const std::string value = fmt::format("{} is {:.6g} here", is_ours ? "Length, nearness and bends in metres: the sum" : "The publication's fitness (27)", chosen);
-  if (looked == 1) return fmt::format("Only the curve with its control points on the straight line was looked at: {}. {}.", list_of(points), value);
-  return fmt::format("Of {} curves the one with the control points {} costs least. {}, and {} with the control points on the straight line.", looked, list_of(points), value,
-                     of_straight.violation > 0.0 ? "not feasible" : fmt::format("{:.6g}", of_straight.objective));
+  const char* line = is_guided ? "the shortest way around obstacles" : "the straight line";
+  if (looked == 1) return fmt::format("Only the curve with its control points on {} was looked at: {}. {}.", line, list_of(points), value);
+  return fmt::format("Of {} curves the one with the control points {} costs least. {}, and {} with the control points on {}.", looked, list_of(points), value,
+                     of_plainest.violation > 0.0 ? "not feasible" : fmt::format("{:.6g}", of_plainest.objective), line);
 }
 
 std::string parts_sentence(const SplineCandidates::Parts& parts) {

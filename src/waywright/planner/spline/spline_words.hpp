@@ -12,8 +12,8 @@ namespace waywright {
 /// "natural cubic spline", "cubic spline", "B-spline".
 std::string curve_name(SplineForm form, SplineEnds ends);
 
-/// Where control points are, among how many curves, and what the objective is there and with the points on the straight line.
-std::string points_sentence(const SplineOptions& options, std::span<const Vec2> points, double chosen, const Evaluation& of_straight, std::int64_t looked);
+/// Where control points are, among how many curves, and what the objective is there and with the points on the straight line, or on the guide.
+std::string points_sentence(const SplineOptions& options, std::span<const Vec2> points, double chosen, const Evaluation& of_plainest, std::int64_t looked, bool is_guided);
 
 /// What its cost in metres is made of.
 std::string parts_sentence(const SplineCandidates::Parts& parts);
