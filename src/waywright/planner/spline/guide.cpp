@@ -11,13 +11,17 @@ namespace {
 constexpr double cell = 0.1;  // m, of maps that have none
 
 /// The same start, goal and obstacles for a vehicle that can turn anywhere; nullopt where it does not fit at start or goal.
-std::optional<Problem> free_problem(const Problem& problem, double more_clearance) {
+std::optional<Problem> free_problem(const Problem& problem, double disc, double more_clearance) {
   Scenario scenario;
   scenario.map = problem.world().map();
+  if (const auto* station = std::get_if<Station>(&problem.scenario().mission)) {
+    scenario.map.boundaries.push_back(station->area);
+    scenario.map.obstacles.push_back(station->shelf.outline());
+  }
   scenario.vehicle = problem.vehicle();
   scenario.vehicle.drive = Differential{1.0};
   scenario.vehicle.limits = {};
-  scenario.vehicle.footprint = {{}, problem.footprint().radius()};
+  scenario.vehicle.footprint = {{}, disc};
   scenario.vehicle.forks.clear();
   scenario.vehicle.loads.clear();
   scenario.start = problem.start();
@@ -30,26 +34,30 @@ std::optional<Problem> free_problem(const Problem& problem, double more_clearanc
 
 }  // namespace
 
-std::optional<std::vector<Vec2>> guide_for(const Problem& problem, double wanted, Budget& budget) {
+Guide guide_for(const Problem& problem, double wanted, Budget& budget) {
   GridPlannerOptions options;
   options.any_angle = true;
   options.resolution = problem.world().map().grids.empty() ? cell : 0.0;
-  for (const double more : {0.5 * wanted, 0.0}) {
-    if (budget.exhausted()) return std::nullopt;
-    const auto free = free_problem(problem, more);
-    if (!free) continue;
-    BudgetLimits limits;
-    limits.seconds = budget.seconds_left();
-    Budget own{limits, budget.cancel_flag()};
-    const PlanningResult result = GridPlanner{"guide", options}.plan(*free, own);
-    if (!result) continue;
-    std::vector<Vec2> corners{problem.start().position()};
-    for (const Piece& piece : result->path.pieces) {
-      if (const auto* line = std::get_if<Line>(&piece.curve)) corners.push_back(line->to);
+  std::vector<double> discs{problem.footprint().radius()};
+  if (!problem.footprint().is_disc()) discs.push_back(0.5 * problem.footprint().least_width());
+  for (const double disc : discs) {
+    for (const double more : {0.5 * wanted, 0.0}) {
+      if (budget.exhausted()) return {};
+      const auto free = free_problem(problem, disc, more);
+      if (!free) continue;
+      BudgetLimits limits;
+      limits.seconds = budget.seconds_left();
+      Budget own{limits, budget.cancel_flag()};
+      const PlanningResult result = GridPlanner{"guide", options}.plan(*free, own);
+      if (!result) continue;
+      Guide guide{{problem.start().position()}, disc};
+      for (const Piece& piece : result->path.pieces) {
+        if (const auto* line = std::get_if<Line>(&piece.curve)) guide.corners.push_back(line->to);
+      }
+      if (guide.corners.size() >= 2) return guide;
     }
-    if (corners.size() >= 2) return corners;
   }
-  return std::nullopt;
+  return {};
 }
 
 std::vector<Vec2> points_along(const std::vector<Vec2>& guide, std::size_t count) {

@@ -84,9 +84,10 @@ SplineWeights searched_weights(SplineCandidates& candidates, Search& search, std
 }  // namespace
 
 PlanningResult SplinePlanner::plan(const Problem& problem, Budget& budget) const {
-  std::vector<Vec2> guide;
-  if (options_.space == ControlSpace::guide) guide = guide_for(problem, options_.wanted_clearance, budget).value_or(std::vector<Vec2>{});
-  SplineCandidates candidates{problem, options_, guide};
+  Guide guide;
+  if (options_.space == ControlSpace::guide) guide = guide_for(problem, options_.wanted_clearance, budget);
+  const bool is_guided = !guide.corners.empty();
+  SplineCandidates candidates{problem, options_, guide.corners};
   const bool is_too_wide = candidates.space().dimension() > LatticeSearch::most_variables && dynamic_cast<const LatticeSearch*>(optimizer_.get()) != nullptr;
   Search search{candidates, is_too_wide ? *for_many_ : *optimizer_, options_.population, seed_, budget};
   const bool is_ours = options_.objective == SplineObjective::metres;
@@ -139,12 +140,13 @@ PlanningResult SplinePlanner::plan(const Problem& problem, Budget& budget) const
   const SplineCandidates::Parts parts = candidates.parts_of(curve);
   const std::vector<Vec2> points = candidates.control_points(answer.x);
   auto& text = planned.explanation;
-  text.push_back(points_sentence(options_, points, answer.evaluation.objective, search.of_plainest, of_all, !guide.empty()));
-  if (!guide.empty()) {
-    text.push_back(guide.size() == 2 ? std::string{"They were looked for about the straight line, which is free for the disc around the footprint."}
-                                     : fmt::format("They were looked for about a shortest way for the disc around the footprint, {:.3f} m in {} straight lines.", length_of(guide), guide.size() - 1));
+  text.push_back(points_sentence(options_, points, answer.evaluation.objective, search.of_plainest, of_all, is_guided));
+  if (is_guided) {
+    const std::string disc = fmt::format("a disc of {:.3f} m, {}", guide.disc, guide.disc < problem.footprint().radius() ? "half the footprint's width" : "which holds the footprint");
+    text.push_back(guide.corners.size() == 2 ? fmt::format("They were looked for about the straight line, which is free for {}.", disc)
+                                             : fmt::format("They were looked for about a shortest way for {}: {:.3f} m in {} straight lines.", disc, length_of(guide.corners), guide.corners.size() - 1));
   } else if (options_.space == ControlSpace::guide) {
-    text.push_back("They were looked for about the straight line: the disc around the footprint has no way to the goal.");
+    text.push_back("They were looked for about the straight line: not even a disc of half the footprint's width was found a way.");
   }
   if (is_too_wide) text.push_back(fmt::format("lattice_search takes at most {} variables; with {} the publication's own optimizer searched in its place.", LatticeSearch::most_variables, candidates.space().dimension()));
   if (refused > 0) text.push_back(fmt::format("{} cost less, and the proof refused {}.", refused == 1 ? "1 candidate" : fmt::format("{} candidates", refused), refused == 1 ? "it" : "them"));
@@ -158,7 +160,7 @@ PlanningResult SplinePlanner::plan(const Problem& problem, Budget& budget) const
   text.push_back(curve_sentence(problem, options_, curve, parts, candidates.ends()));
   planned.alternatives.push_back({"control points chosen", true, answer.evaluation.objective, curve_sentence(problem, options_, curve, parts, candidates.ends()), picture_of(problem, curve), {}});
   if (const auto plain_curve = candidates.curve_at(candidates.plainest())) {
-    Alternative alternative{guide.empty() ? "control points on the straight line" : "control points on the guide", false, std::nullopt, "What the search begins with.", picture_of(problem, *plain_curve), {}};
+    Alternative alternative{!is_guided ? "control points on the straight line" : "control points on the guide", false, std::nullopt, "What the search begins with.", picture_of(problem, *plain_curve), {}};
     if (!(search.of_plainest.violation > 0.0)) alternative.cost = search.of_plainest.objective;
     planned.alternatives.push_back(std::move(alternative));
   }
