@@ -8,7 +8,13 @@
 namespace waywright {
 namespace {
 
-constexpr double cell = 0.1;  // m, of maps that have none
+constexpr double finest_cell = 0.1;   // m, of maps that have none
+constexpr double most_cells = 1500.0;  // a side, of those
+
+double cell_of(const World& world) {
+  const Box box = world.bounds();
+  return std::max(finest_cell, std::max(box.high.x - box.low.x, box.high.y - box.low.y) / most_cells);
+}
 
 /// The same start, goal and obstacles for a vehicle that can turn anywhere; nullopt where it does not fit at start or goal.
 std::optional<Problem> free_problem(const Problem& problem, double disc, double more_clearance) {
@@ -37,7 +43,7 @@ std::optional<Problem> free_problem(const Problem& problem, double disc, double 
 Guide guide_for(const Problem& problem, double wanted, Budget& budget) {
   GridPlannerOptions options;
   options.any_angle = true;
-  options.resolution = problem.world().map().grids.empty() ? cell : 0.0;
+  options.resolution = problem.world().map().grids.empty() ? cell_of(problem.world()) : 0.0;
   std::vector<double> discs{problem.footprint().radius()};
   if (!problem.footprint().is_disc()) discs.push_back(0.5 * problem.footprint().least_width());
   for (const double disc : discs) {
