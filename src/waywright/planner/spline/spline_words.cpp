@@ -81,7 +81,7 @@ PlanningFailure failure_of(const Problem& problem, const SplineOptions& options,
   const SplineCandidates::Parts parts = candidates.parts_of(curve);
   std::string why;
   if (parts.is_beyond_limits) {
-    why = fmt::format("bends more than the vehicle can: {}", bends_of(problem, parts));
+    why = fmt::format("bends too much, where 1 % of the limits is kept in hand: {}", bends_of(problem, parts));
   } else {
     const SplineCandidates::Tightest tightest = candidates.tightest_of(curve);
     const Contact& contact = tightest.contact;
