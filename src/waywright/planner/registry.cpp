@@ -9,6 +9,7 @@
 #include "waywright/planner/grid/grid_planner.hpp"
 #include "waywright/planner/grid/safe_planner.hpp"
 #include "waywright/planner/ompl/rrt_connect.hpp"
+#include "waywright/planner/spline/describe.hpp"
 #include "waywright/planner/waypoint/describe.hpp"
 #include "waywright/scenario/parameter_values.hpp"
 
@@ -134,6 +135,7 @@ const std::vector<PlannerDescription>& planners() {
   static const std::vector<PlannerDescription> all = [] {
     std::vector<PlannerDescription> list{pattern_docking_description(), published_docking_description(), rrt_connect_description(),
                                          waypoint_clothoid_description(optimizer_names(), optimizer_of)};
+    for (PlannerDescription& p : spline_planner_descriptions(optimizer_names(), optimizer_of)) list.push_back(std::move(p));
     for (PlannerDescription& p : grid_planner_descriptions()) list.push_back(std::move(p));
     for (PlannerDescription& p : safe_planner_descriptions()) list.push_back(std::move(p));
     return list;

@@ -91,4 +91,36 @@ pagmo::population IntermediateGeneticAlgorithm::evolve(pagmo::population populat
   return population;
 }
 
+pagmo::population ArithmeticGeneticAlgorithm::evolve(pagmo::population population) const {
+  Random random{seed_};
+  const auto [low, high] = population.get_problem().get_bounds();
+  const std::size_t size = population.size();
+  if (size <= elites) return population;
+  std::vector<std::size_t> order(size);
+  for (unsigned generation = 0; generation < generations_; ++generation) {
+    const auto points = population.get_x();
+    const auto values = population.get_f();
+    for (std::size_t i = 0; i < size; ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a][0] < values[b][0]; });
+    const auto tournament = [&]() -> const pagmo::vector_double& {
+      const auto a = static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(size) - 1));
+      const auto b = static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(size) - 1));
+      return points[values[a][0] <= values[b][0] ? a : b];
+    };
+    for (std::size_t rank = elites; rank < size; ++rank) {
+      pagmo::vector_double child = tournament();
+      const auto& other = tournament();
+      const bool is_crossed = random.uniform() < crossover_probability;
+      const double share = random.uniform();
+      for (std::size_t k = 0; k < child.size(); ++k) {
+        if (is_crossed) child[k] = share * child[k] + (1.0 - share) * other[k];
+        if (random.uniform() < mutation_probability) child[k] += mutation_width * (high[k] - low[k]) * gaussian(random);
+        child[k] = std::clamp(child[k], low[k], high[k]);
+      }
+      population.set_x(order[rank], child);
+    }
+  }
+  return population;
+}
+
 }  // namespace waywright

@@ -1,4 +1,4 @@
-// A genetic algorithm as a pagmo algorithm: what pagmo's own has no operator for.
+// Genetic algorithms as pagmo algorithms: what pagmo's own has no operators for.
 #pragma once
 
 #include <pagmo/population.hpp>
@@ -41,6 +41,24 @@ class IntermediateGeneticAlgorithm {
   unsigned generations_;
   unsigned seed_;
   std::vector<bool> periodic_;
+};
+
+/// Tournament of two, whole arithmetic crossover with probability 0.8 (child αa + (1 − α)b, one α a child; else a), each variable moved with probability
+/// 0.1 by a Gaussian of σ = 5 % of its range, two elites (the safe-A* publication's GA on B-splines, reconstructed).
+class ArithmeticGeneticAlgorithm {
+ public:
+  explicit ArithmeticGeneticAlgorithm(unsigned generations = 1, unsigned seed = 1) : generations_{generations}, seed_{seed} {}
+  pagmo::population evolve(pagmo::population population) const;
+  std::string get_name() const { return "genetic algorithm with arithmetic crossover"; }
+
+  static constexpr std::size_t elites = 2;
+
+ private:
+  static constexpr double crossover_probability = 0.8;
+  static constexpr double mutation_probability = 0.1;
+  static constexpr double mutation_width = 0.05;  // of the range
+  unsigned generations_;
+  unsigned seed_;
 };
 
 }  // namespace waywright

@@ -11,6 +11,7 @@
 #include <pagmo/algorithms/pso.hpp>
 #include <pagmo/algorithms/simulated_annealing.hpp>
 
+#include "waywright/optimizer/pagmo/chaotic_swarm.hpp"
 #include "waywright/optimizer/pagmo/genetic.hpp"
 #include "waywright/optimizer/pagmo/search.hpp"
 
@@ -107,6 +108,20 @@ std::vector<OptimizerDescription> pagmo_optimizers() {
                  return pagmo::algorithm{IntermediateGeneticAlgorithm{set.generations, set.seed, set.periodic}};
                },
                0, 4),
+      describe("ga_spline", "genetic algorithm of the safe-A* publication: tournament 2, arithmetic crossover 0.8, Gaussian mutation 0.1 of 5 % of the range, two elites",
+               [](const Setting& set) {
+                 // Elites are not evaluated again: what they leave is for more generations.
+                 const auto size = static_cast<std::uint64_t>(set.population);
+                 const std::uint64_t generations = size > ArithmeticGeneticAlgorithm::elites ? set.generations * size / (size - ArithmeticGeneticAlgorithm::elites) + 1 : 1;
+                 return pagmo::algorithm{ArithmeticGeneticAlgorithm{static_cast<unsigned>(std::min<std::uint64_t>(generations, 1'000'000'000)), set.seed}};
+               },
+               0, 4),
+      describe("capso", "particle swarm of the safe-A* publication: chaotic factors, weights that follow a cosine, antennae; three evaluations a move",
+               [](const Setting& set) {
+                 // It has to know when it ends: what it does follows the share of the time that is over.
+                 return pagmo::algorithm{ChaoticSwarm{std::max(1U, set.generations / ChaoticSwarm::evaluations_a_move), set.seed}};
+               },
+               0, 2),
       describe("pso", "particle swarm: constriction 0.7298, c1 = c2 = 2.05, speed at most half the range",
                [](const Setting& set) {
                  return pagmo::algorithm{pagmo::pso{set.generations, 0.7298, 2.05, 2.05, 0.5, 5, 1, 4, false, set.seed}};

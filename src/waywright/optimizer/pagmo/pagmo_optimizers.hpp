@@ -1,4 +1,4 @@
-// The five metaheuristics of the docking publication, through pagmo.
+// The metaheuristics of the publications, through pagmo.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,8 @@
 
 namespace waywright {
 
-/// "ga", "pso", "de", "sa", "aco" with the published reconstruction's parameters (population 20 by default).
+/// "ga", "pso", "de", "sa", "aco" with the docking publication's reconstructed parameters (population 20 by default), and those of the other
+/// publications: "ga_intermediate" (waypoints), "capso" and "ga_spline" (splines).
 std::vector<OptimizerDescription> pagmo_optimizers();
 
 }  // namespace waywright

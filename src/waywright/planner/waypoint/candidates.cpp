@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "waywright/map/clearance_along.hpp"
+#include "waywright/planner/waypoint/nearness.hpp"
 
 namespace waywright {
 namespace {
@@ -35,62 +35,6 @@ std::optional<Fitness> fitness_for(WaypointObjective objective) {
     default: return std::nullopt;
   }
 }
-
-/// The integral of a barrier on the clearance along a motion: wanted/c − 1 where what is beyond the required clearance, c, is under what is wanted.
-/// Between two poses nothing is nearer than half of what their clearances leave of the way that the footprint moves: where that is not enough, more poses
-/// are looked at.
-class Nearness {
- public:
-  Nearness(const Problem& problem, const MapObjects& objects, const WaypointOptions& options)
-      : objects_{objects}, required_{problem.required_clearance()}, wanted_{options.wanted_clearance}, radius_{problem.footprint().radius()},
-        along_{problem.world(), problem.footprint(), required_ + wanted_} {}
-
-  double barrier() const { return barrier_; }  ///< m
-  double lacking() const { return lacking_; }  ///< m, length that is too near, longer the nearer
-  double least() const { return least_; }      ///< m, beyond the required clearance
-
-  void add(const Pose& a, const Pose& b, double length, bool is_first, bool is_last) {
-    if (is_first) before_ = beyond(a);
-    // The ends may just keep what is required, whatever is planned between them.
-    const double end = beyond(b);
-    const double floor = softest * wanted_;
-    add(a, b, is_first ? std::max(before_, floor) : before_, is_last ? std::max(end, floor) : end, length, 0);
-    before_ = end;
-  }
-
- private:
-  static constexpr int deepest = 6;
-  static constexpr double softest = 0.02;  // of what is wanted: nearer than that counts as that
-
-  double beyond(const Pose& pose) {
-    const double clearance = along_.at(pose);
-    const double beyond = clearance > 0.0 ? std::min(clearance - required_, wanted_) : -required_ - objects_.depth_of(pose);
-    least_ = std::min(least_, beyond);
-    return beyond;
-  }
-
-  void add(const Pose& a, const Pose& b, double ca, double cb, double length, int depth) {
-    const double moved = distance(a.position(), b.position()) + radius_ * std::abs(shorter_turn(a.heading, b.heading));
-    if (ca + cb <= moved && std::max(ca, cb) > 0.0 && depth < deepest) {
-      const Pose middle = make_pose(0.5 * (a.position() + b.position()), a.heading + 0.5 * shorter_turn(a.heading, b.heading));
-      const double c = beyond(middle);
-      add(a, middle, ca, c, 0.5 * length, depth + 1);
-      add(middle, b, c, cb, 0.5 * length, depth + 1);
-      return;
-    }
-    for (const double c : {ca, cb}) {
-      if (c <= 0.0) lacking_ += 0.5 * length * (1.0 - c / wanted_);
-      else if (c < wanted_) barrier_ += 0.5 * length * (wanted_ / std::max(c, softest * wanted_) - 1.0);
-    }
-  }
-
-  const MapObjects& objects_;
-  double required_, wanted_, radius_;
-  ClearanceAlong along_;
-  double before_ = 0.0;
-  double barrier_ = 0.0, lacking_ = 0.0;
-  double least_ = std::numeric_limits<double>::infinity();
-};
 
 }  // namespace
 
@@ -199,7 +143,7 @@ WaypointCandidates::Metres WaypointCandidates::in_metres(const Clothoids& chain)
     const double by = c.curvature_rate * c.length;  // ∫ (κ0 + κ′s)² ds
     bends += c.length * (c.curvature * c.curvature + by * (c.curvature + by / 3.0));
   }
-  Nearness nearness{problem_, objects_, options_};
+  Nearness nearness{problem_, options_.wanted_clearance, [this](const Pose& pose) { return objects_.depth_of(pose); }};
   for (std::size_t i = 0; i + 1 < n; ++i) nearness.add(poses_[i], poses_[i + 1], ds, i == 0, i + 2 == n);
   Evaluation e;
   e.objective = length + options_.clearance_weight * nearness.barrier() + options_.bend_weight * bends;

@@ -7,40 +7,11 @@
 #include <limits>
 
 #include "waywright/optimizer/lattice_search.hpp"
+#include "waywright/planner/waypoint/best_candidates.hpp"
 #include "waywright/planner/waypoint/waypoint_words.hpp"
 #include "waywright/proof/proof.hpp"
 
 namespace waywright {
-namespace {
-
-constexpr std::size_t most_kept = 64;  // of the best candidates, for the proof
-constexpr double apart = 1e-3;         // of a cost: those nearer to one another are likely to be refused together
-
-struct Candidate {
-  std::vector<double> x;
-  Evaluation evaluation;
-};
-
-/// The best candidates seen, best last: the best one, and of those before it some that cost ever more.
-class Best {
- public:
-  void look(std::span<const double> x, const Evaluation& evaluation) {
-    if (!kept_.empty() && !(evaluation.graded < kept_.back().evaluation.graded)) return;
-    if (const std::size_t n = kept_.size(); n >= 2) {
-      const double last = kept_[n - 1].evaluation.graded, before = kept_[n - 2].evaluation.graded;
-      if (before - last < apart * std::abs(last)) kept_.pop_back();
-    }
-    if (kept_.size() == most_kept) kept_.erase(kept_.begin());
-    kept_.push_back({{x.begin(), x.end()}, evaluation});
-  }
-  const std::vector<Candidate>& kept() const { return kept_; }
-
- private:
-  std::vector<Candidate> kept_;
-};
-
-}  // namespace
-
 std::string meaning_of(WaypointObjective objective) {
   switch (objective) {
     case WaypointObjective::mlpc: return "least length, a thousandfold on contact";
@@ -59,7 +30,7 @@ PlanningResult WaypointClothoidPlanner::plan(const Problem& problem, Budget& bud
   if (auto failure = blocked_waypoint(problem); failure && !budget.exhausted()) return tl::unexpected{std::move(*failure)};
   WaypointCandidates candidates{problem, options_};
   const SearchSpace& space = candidates.space();
-  Best best;
+  BestCandidates best;
   const auto cost = [&](std::span<const double> x, double) {
     const Evaluation e = candidates.evaluate(x);
     best.look(x, e);
@@ -83,7 +54,7 @@ PlanningResult WaypointClothoidPlanner::plan(const Problem& problem, Budget& bud
   const Optimizer& optimizer = is_too_wide ? *for_many_ : *optimizer_;
   if (looked > 0 && space.dimension() > 0 && search.evaluations > 0) looked += optimizer.minimise(cost, space, search, budget).evaluations;
 
-  const std::vector<Candidate>& kept = best.kept();
+  const std::vector<BestCandidates::Candidate>& kept = best.kept();
   if (kept.empty() || !candidates.chain_at(kept.back().x)) {
     return tl::unexpected{failure_without_chain(looked, budget)};
   }
@@ -108,7 +79,7 @@ PlanningResult WaypointClothoidPlanner::plan(const Problem& problem, Budget& bud
   }
   const std::size_t refused = kept.size() - 1 - chosen;
 
-  const Candidate& answer = kept[chosen];
+  const BestCandidates::Candidate& answer = kept[chosen];
   const Clothoids chain = *candidates.chain_at(answer.x);
   // The publication's functions weigh contact against other things, and show what they chose. Ours asks for a path that can be driven.
   if (options_.objective == WaypointObjective::metres && answer.evaluation.violation > 0.0) {
