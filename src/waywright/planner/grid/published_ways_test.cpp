@@ -172,6 +172,10 @@ TEST(RegularObstacles, EncloseTheIrregularOnes) {
   const PublishedMap printed = published_map("SA-IRR-REG").value();
   const auto count = [](const std::vector<std::uint8_t>& cells) { return static_cast<double>(std::count(cells.begin(), cells.end(), 1)); };
   EXPECT_NEAR(count(regular), count(printed.grid.blocked), 0.03 * count(printed.grid.blocked));
+  // And the way past them leaves them alone.
+  const Measured sha = measured(irregular.grid, irregular.tasks.front(), PublishedMethod::boundary, true);
+  ASSERT_EQ(sha.way.ended, SearchEnd::found);
+  EXPECT_EQ(sha.risk, 0.0);
   // Not over the goal.
   const auto kept = with_regular_obstacles(200, 200, irregular.grid.blocked, {{62, 199 - 42}});
   EXPECT_EQ(kept[static_cast<std::size_t>((199 - 42) * 200 + 62)], 0);
