@@ -1,7 +1,6 @@
 #include "waywright/planner/waypoint/chain.hpp"
 
 #include <algorithm>
-#include <boost/container/small_vector.hpp>
 #include <cmath>
 
 #include "waywright/curve/clothoid.hpp"
@@ -9,8 +8,8 @@
 namespace waywright {
 
 std::optional<Clothoids> chain_through(std::span<const Pose> poses, Continuity continuity, std::span<const double> bends) {
-  boost::container::small_vector<std::optional<Clothoid>, 16> legs(poses.size() - 1);
-  fit_clothoid_batch(poses.first(poses.size() - 1), poses.subspan(1), {legs.data(), legs.size()});
+  std::vector<std::optional<Clothoid>> legs(poses.size() - 1);
+  fit_clothoid_batch(poses.first(poses.size() - 1), poses.subspan(1), legs);
   Clothoids singles;
   singles.reserve(legs.size());
   for (const auto& leg : legs) {
