@@ -10,6 +10,7 @@
 #include "waywright/planner/grid/safe_planner.hpp"
 #include "waywright/planner/ompl/rrt_connect.hpp"
 #include "waywright/planner/spline/describe.hpp"
+#include "waywright/planner/state_lattice/clearance_optimal.hpp"
 #include "waywright/planner/waypoint/describe.hpp"
 #include "waywright/scenario/parameter_values.hpp"
 
@@ -138,6 +139,7 @@ const std::vector<PlannerDescription>& planners() {
     for (PlannerDescription& p : spline_planner_descriptions(optimizer_names(), optimizer_of)) list.push_back(std::move(p));
     for (PlannerDescription& p : grid_planner_descriptions()) list.push_back(std::move(p));
     for (PlannerDescription& p : safe_planner_descriptions()) list.push_back(std::move(p));
+    list.push_back(clearance_optimal_description());
     return list;
   }();
   return all;

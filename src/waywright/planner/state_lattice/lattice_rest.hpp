@@ -1,0 +1,33 @@
+// What the way from each cell to the goal costs at least, whatever the heading.
+#pragma once
+
+#include <vector>
+
+#include "waywright/core/budget.hpp"
+#include "waywright/planner/state_lattice/lattice_graph.hpp"
+
+namespace waywright {
+
+/// The lattice without its headings: from cell to cell by every step that some motion has, at its least length, with the least danger that there can be where the
+/// clearance is bounded at both ends. Dijkstra from the goal.
+/// Laws: rest(cell) ≤ cost of any way in the lattice from a state of the cell; rest(a) ≤ cost of a motion from a to b + rest(b).
+class LatticeRest {
+ public:
+  /// Searched until all is known up to some way beyond the start; the rest is at least what the farthest known cell needs.
+  LatticeRest(const LatticeGraph& graph, const DangerCosts& costs);
+
+  double operator()(std::uint32_t cell) const { return rest_[cell] < known_ ? rest_[cell] : known_; }
+  /// No way leads from the start's cell.
+  bool is_cut_off() const { return is_cut_off_; }
+  /// What a motion costs at least between these cells.
+  double motion_at_least(std::uint32_t from, std::uint32_t to, double metres, double length) const;
+
+ private:
+  const LatticeGraph& graph_;
+  DangerCosts costs_;
+  std::vector<double> rest_;
+  double known_ = 0.0;
+  bool is_cut_off_ = false;
+};
+
+}  // namespace waywright
