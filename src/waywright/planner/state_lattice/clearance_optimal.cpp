@@ -61,8 +61,8 @@ class ClearanceOptimalPlanner::Ready {
     const double metres = length(planned.path), straight = distance(problem_.start().position(), problem_.goal().position());
     std::vector<std::string>& text = planned.explanation;
     text.push_back(fmt::format("A metre costs 1 + {:g}·(1 − c/{:g} m)² where the whole footprint's exact clearance is c more than required, and 1 from {:g} m on; a metre backwards {:g} times that, "
-                               "a change of direction {:g} m{}.",
-                               c.weight, c.range, c.range, c.reverse, c.change, graph_.options().may_turn ? fmt::format(", a radian on the spot {:g} m", c.turn) : std::string{}));
+                               "one at the sharpest bend {:g} more, a change of direction {:g} m{}.",
+                               c.weight, c.range, c.range, options.lattice.costs.reverse, options.lattice.bend_share, c.change, graph_.options().may_turn ? fmt::format(", a radian on the spot {:g} m", c.turn) : std::string{}));
     text.push_back(fmt::format("Over a lattice of {} x {} cells of {:g} m with {} headings, and motions of bends up to {:.3f} 1/m that begin and end straight, {} costs {:.4f} m; {}. {} and {} asked for their clearance.",
                                graph_.columns(), graph_.rows(), graph_.cell(), lattice_headings, graph_.limits().curvature, options.gap > 0.0 ? "a way" : "the best way", answer.cost,
                                options.gap > 0.0 ? fmt::format("no way over it costs less than {:.4f} m, {:.2f} % under", answer.lower_bound, 100.0 * (answer.cost / answer.lower_bound - 1.0))
@@ -73,7 +73,7 @@ class ClearanceOptimalPlanner::Ready {
                                  100.0 * std::abs(way.cost / answer.lower_bound - 1.0), way.cost <= answer.lower_bound ? "under" : "over", counted(way.evaluations, "motion") + " tried", 100.0 * fine_step,
                                  of_lattice));
     }
-    text.push_back(fmt::format("It is {:.3f} m long, {:.3f} m of its cost are danger and manoeuvres; the straight line from start to goal is {:.3f} m.", metres, way.cost - metres, straight));
+    text.push_back(fmt::format("It is {:.3f} m long, {:.3f} m of its cost are danger, bends and manoeuvres; the straight line from start to goal is {:.3f} m.", metres, way.cost - metres, straight));
     Alternative lattice{"best way over the lattice", !options.smooth, of_lattice, fmt::format("Costs {:.4f} m and is bound to the lattice's cells and headings.", of_lattice), {}, {}};
     for (const Stretch& s : answer.stretches) {
       std::vector<SteppedPose> poses;
@@ -116,6 +116,7 @@ PlannerDescription clearance_optimal_description() {
           {.name = "reverse_cost", .default_value = costs.reverse, .summary = "metres that a metre backwards counts as; under 1: never backwards", .low = 0, .high = 100},
           {.name = "change_cost", .default_value = costs.change, .summary = "metres that a change of direction counts as", .unit = "m", .low = 0, .high = 100},
           {.name = "turn_cost", .default_value = costs.turn, .summary = "metres that a radian of turning on the spot counts as, of vehicles that can", .unit = "m", .low = 0, .high = 100},
+          {.name = "bend_cost", .default_value = lattice.bend_share, .summary = "by so much a metre at the sharpest bend costs more; less at gentler ones, by the square of the curvature", .low = 0, .high = 100},
           {.name = "turns", .default_value = true, .summary = "turn on the spot, where the vehicle can"},
           {.name = "gap", .default_value = 0.0, .summary = "the way over the lattice may cost up to this share more than the best one, and is found sooner", .low = 0, .high = 10},
           {.name = "smooth", .default_value = true, .summary = "leave the lattice where that costs less"},
@@ -132,6 +133,7 @@ PlannerDescription clearance_optimal_description() {
         c.turn = number("turn_cost");
         options.lattice.cell = number("resolution");
         options.lattice.min_radius = number("min_radius");
+        options.lattice.bend_share = number("bend_cost");
         options.lattice.may_turn = std::get<bool>(p.at("turns"));
         options.gap = number("gap");
         options.smooth = std::get<bool>(p.at("smooth"));

@@ -20,11 +20,11 @@ MotionCost::MotionCost(const Problem& problem, const DangerCosts& costs, double 
 std::vector<CostedPose> MotionCost::poses_of(const Stretch& stretch, double step) const {
   std::vector<SteppedPose> stepped;
   sample_stretch(stretch, step, look_angle, stepped);
-  const double each = stretch.direction < 0 ? costs_.reverse : 1.0;
+  const double each = stretch.direction < 0 ? costs_.reverse : costs_.forward;
   std::vector<CostedPose> poses;
   poses.reserve(stepped.size());
   for (const SteppedPose& s : stepped) {
-    poses.push_back({s.pose.position(), s.pose.heading, stretch.direction == 0 ? costs_.turn * s.angle : each * s.way, s.way + body_.radius * s.angle});
+    poses.push_back({s.pose.position(), s.pose.heading, stretch.direction == 0 ? costs_.turn * s.angle : each * (s.way + costs_.bend * s.bend), s.way + body_.radius * s.angle});
   }
   return poses;
 }

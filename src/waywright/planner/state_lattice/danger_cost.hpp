@@ -13,14 +13,21 @@
 
 namespace waywright {
 
-/// Each metre costs 1 + weight · (1 − (c − r) / range)², where c is the exact clearance of the whole footprint there and r what is required; from r + range on 1.
+/// A metre costs (1 + bend · κ²) · (1 + weight · (1 − (c − r) / range)²): κ is the curvature there, c the exact clearance of the whole footprint and r what is
+/// required of it; from r + range on there is no danger.
 struct DangerCosts {
   double weight = 4.0;
   double range = 0.6;    ///< m, > 0
-  double reverse = 2.0;  ///< times as much for a metre backwards, ≥ 1
+  double forward = 1.0;  ///< times as much for a metre forwards, ≥ 1
+  double reverse = 2.0;  ///< and backwards
+  double bend = 0.0;     ///< m², ≥ 0
   double change = 1.0;   ///< m that a change of direction counts as
   double turn = 0.3;     ///< m that a radian on the spot counts as
 
+  /// What a stretch counts as where nothing is near, m.
+  double metres_of(const Stretch& stretch) const {
+    return stretch.direction == 0 ? turn * std::abs(stretch.turn.angle) : (stretch.direction < 0 ? reverse : forward) * (length_of(stretch) + bend * bend_of(stretch));
+  }
   /// Of a metre. @param beyond what is required, m
   double density(double beyond) const {
     if (beyond >= range) return 1.0;

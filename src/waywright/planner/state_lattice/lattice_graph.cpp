@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "waywright/planner/grid/motion_check.hpp"
 
@@ -26,6 +27,7 @@ double cell_of(double radius) { return std::clamp(finest * std::round(radius / c
 LatticeGraph::LatticeGraph(const Problem& problem, const LatticeOptions& options)
     : options_{options}, margin_{lattice_margin(problem)}, required_{problem.required_clearance()}, frame_{problem.start()} {
   const Vehicle& vehicle = problem.vehicle();
+  if (problem.is_driven_back()) std::swap(options_.costs.forward, options_.costs.reverse);
   options_.may_turn = options.may_turn && vehicle.can_turn_on_the_spot();
   limits_.curvature = std::min(vehicle.max_curvature(), 1.0 / options.min_radius);
   if (std::isfinite(vehicle.max_curvature())) limits_.curvature = vehicle.max_curvature();
@@ -34,6 +36,7 @@ LatticeGraph::LatticeGraph(const Problem& problem, const LatticeOptions& options
     refused_ = "the vehicle cannot bend its way at all: its curvature is limited to 0";
     return;
   }
+  options_.costs.bend = options.bend_share / (limits_.curvature * limits_.curvature);
   cell_ = options.cell > 0.0 ? options.cell : cell_of(1.0 / limits_.curvature);
   if (!set_extent(problem)) return;
   bounds_.emplace(problem, grid_);
@@ -116,12 +119,11 @@ Stretch LatticeGraph::stretch(std::uint32_t cell, const MotionPrimitive& primiti
 /// Smooth ones within the limits, and for a vehicle that turns on the spot: turn, straight on, turn.
 void LatticeGraph::find_goal_motions(const Problem& problem) {
   const Pose goal = frame_.to_local(problem.goal());
-  const MotionCost cost{problem, options_.costs, margin_};
   const auto add = [&](std::uint32_t cell, int heading, int direction, std::vector<Stretch> stretches) {
     GoalMotion m{cell, heading, {}, direction, 0.0};
     for (const Stretch& s : stretches) {
       m.stretches.push_back(placed(s, frame_));
-      m.metres += s.direction == 0 ? options_.costs.turn * std::abs(s.turn.angle) : (s.direction < 0 ? options_.costs.reverse : 1.0) * length_of(s);
+      m.metres += options_.costs.metres_of(s);
     }
     goal_motions_.push_back(std::move(m));
   };

@@ -16,7 +16,8 @@ struct LatticeOptions {
   double min_radius = 0.5;  ///< m, of vehicles whose curvature is not limited
   bool may_turn = true;     ///< on the spot, where the vehicle can
   bool may_reverse = true;
-  DangerCosts costs{};
+  double bend_share = 0.2;  ///< by so much a metre at the sharpest bend costs more
+  DangerCosts costs{};      ///< `bend` is made of the share
 };
 
 /// A cell of the lattice: `column` along the start's heading, `row` to its left, both from the start.

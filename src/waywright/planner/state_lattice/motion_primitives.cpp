@@ -99,9 +99,9 @@ MotionPrimitives motion_primitives(const PrimitiveOptions& options, const Motion
     p.to = to;
     p.length = length_of(p.stretch);
     p.poses = cost.poses_of(placed(p.stretch, axes), look);
-    for (const CostedPose& pose : p.poses) p.metres += pose.metres;
+    p.metres = cost.costs().metres_of(p.stretch);
     p.middle = p.poses[p.poses.size() / 2].offset;
-    for (const CostedPose& pose : p.poses) p.reach = std::max(p.reach, distance(pose.offset, p.middle) + pose.metres);
+    for (const CostedPose& pose : p.poses) p.reach = std::max(p.reach, distance(pose.offset, p.middle) + pose.sweep);
     all[static_cast<std::size_t>(heading)].push_back(std::move(p));
   };
   const auto add_both_ways = [&](int course, int to_course, const Found& found) {

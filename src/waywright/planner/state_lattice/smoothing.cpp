@@ -11,10 +11,10 @@ namespace waywright {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double look_step = 0.05;      // m, between poses while it is sought
+constexpr double look_step = 0.1;      // m, between poses while it is sought
 constexpr double knot_step = 0.4;       // m, between places that may be joined
-constexpr double farthest_join = 12.0;  // m
-constexpr std::size_t most_ahead = 24;  // places
+constexpr double farthest_join = 60.0;  // m
+constexpr std::size_t each_ahead = 16;  // places that are all tried; farther ones ever more sparsely
 constexpr int most_rounds = 8;
 constexpr double first_move = 0.16, last_move = 0.01;  // m
 constexpr double worthwhile = 1e-4;                     // m of cost that a change has to save
@@ -57,9 +57,12 @@ class Smoother {
     double cost = 0.0;
   };
 
-  std::optional<double> evaluated(const Stretch& stretch) {
+  /// Where it is free and costs less.
+  std::optional<double> evaluated(const Stretch& stretch, double than) {
+    if (cost_.costs().metres_of(stretch) >= than) return std::nullopt;
     ++evaluations_;
-    return cost_.of(stretch, look_step);
+    const auto cost = cost_.of(stretch, look_step);
+    return cost && *cost < than ? cost : std::nullopt;
   }
 
   /// The way cut at its places.
@@ -104,10 +107,13 @@ class Smoother {
         from[i + 1] = i;
       }
       if (parts[i].stretch.direction == 0 || budget_.exhausted()) continue;
-      double far = 0.0;
-      for (std::size_t j = i; j < n && j < i + most_ahead && far < farthest_join; ++j) {
+      double far = length_of(parts[i].stretch);
+      std::size_t sparse = 1;
+      for (std::size_t j = i + 1; j < n && far < farthest_join; ++j) {
         far += length_of(parts[j].stretch);
-        if (j == i || parts[j].stretch.direction == 0) continue;
+        if (j - i >= 2 * each_ahead * sparse) sparse *= 2;
+        if ((j - i) % sparse != 0 && j + 1 != n) continue;
+        if (parts[j].stretch.direction == 0) continue;
         const Clothoid &first = parts[i].stretch.curves.front(), &last = parts[j].stretch.curves.back();
         const Pose to = end_course(last);
         // It can cost no less than the straight line.
@@ -115,8 +121,8 @@ class Smoother {
         auto curves = fitted_within(first.start, first.curvature, to, end_curvature(last), limits_);
         if (curves.empty()) continue;
         Part part{Stretch{parts[i].stretch.direction, std::move(curves), {}}, 0.0};
-        const auto cost = evaluated(part.stretch);
-        if (!cost || !(best[i] + *cost < best[j + 1])) continue;
+        const auto cost = evaluated(part.stretch, best[j + 1] - best[i]);
+        if (!cost) continue;
         part.cost = *cost;
         best[j + 1] = best[i] + *cost;
         by[j + 1] = std::move(part);
@@ -153,8 +159,18 @@ class Smoother {
     const double shorter = std::min(length_of(a.stretch), length_of(b.stretch));
     const double across = std::min(move, greatest_move(shorter));
     const double turn = across / std::max(shorter, 1e-3), bend = turn / std::max(shorter, 1e-3);
-    bool is_better = merge(parts, i);
-    if (is_better) return true;
+    if (merge(parts, i)) return true;
+    bool is_better = false;
+    // Onto the straight line between the places beside.
+    {
+      const Vec2 from = a.stretch.curves.front().start.position(), to = end_course(b.stretch.curves.back()).position(), chord = to - from;
+      const Pose at = b.stretch.curves.front().start;
+      const double share = dot(at.position() - from, chord) / std::max(squared_norm(chord), 1e-12);
+      if (share > 0.0 && share < 1.0) {
+        const double course = angle_of(chord);
+        is_better = replace(a, b, make_pose(from + share * chord, course), 0.0) || replace(a, b, make_pose(at.position(), course), b.stretch.curves.front().curvature);
+      }
+    }
     struct Change {
       double left, along, turn, bend;
     };
@@ -180,10 +196,11 @@ class Smoother {
     auto after = fitted_within(there, curvature, to, end_curvature_of(b.stretch.curves), limits_);
     if (after.empty()) return false;
     Part x{Stretch{a.stretch.direction, std::move(before), {}}, 0.0}, y{Stretch{b.stretch.direction, std::move(after), {}}, 0.0};
-    const auto one = evaluated(x.stretch);
-    if (!one || !(*one < now)) return false;
-    const auto two = evaluated(y.stretch);
-    if (!two || !(*one + *two < now - worthwhile)) return false;
+    const double enough = now - worthwhile;
+    const auto one = evaluated(x.stretch, enough - cost_.costs().metres_of(y.stretch));
+    if (!one) return false;
+    const auto two = evaluated(y.stretch, enough - *one);
+    if (!two) return false;
     x.cost = *one;
     y.cost = *two;
     a = std::move(x);
@@ -199,8 +216,8 @@ class Smoother {
     auto curves = fitted_within(first.start, first.curvature, end_course(last), end_curvature(last), limits_);
     if (curves.empty()) return false;
     Part part{Stretch{a.stretch.direction, std::move(curves), {}}, 0.0};
-    const auto cost = evaluated(part.stretch);
-    if (!cost || !(*cost <= a.cost + b.cost)) return false;
+    const auto cost = evaluated(part.stretch, a.cost + b.cost + worthwhile);
+    if (!cost) return false;
     part.cost = *cost;
     parts[i] = std::move(part);
     parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i) + 1);

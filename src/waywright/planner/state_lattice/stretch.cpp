@@ -17,6 +17,9 @@ double facing(double course, int direction) { return wrap(direction < 0 ? course
 
 bool is_straight(const Clothoid& c) { return c.curvature == 0.0 && c.curvature_rate == 0.0; }
 
+/// ∫κ² between two places of a clothoid.
+double bend_between(double from, double to, double length) { return length / 3.0 * (from * from + from * to + to * to); }
+
 Pose end_of(const Clothoid& c) { return make_pose(evaluate(c, c.length).position, wrap(course_at(c, c.length))); }
 
 }  // namespace
@@ -24,6 +27,12 @@ Pose end_of(const Clothoid& c) { return make_pose(evaluate(c, c.length).position
 double length_of(const Stretch& stretch) {
   double sum = 0.0;
   for (const Clothoid& c : stretch.curves) sum += c.length;
+  return sum;
+}
+
+double bend_of(const Stretch& stretch) {
+  double sum = 0.0;
+  for (const Clothoid& c : stretch.curves) sum += bend_between(c.curvature, end_curvature(c), c.length);
   return sum;
 }
 
@@ -103,20 +112,24 @@ void sample_stretch(const Stretch& stretch, double step, double turn_step, std::
   if (stretch.direction == 0) {
     const int n = std::max(1, static_cast<int>(std::ceil(std::abs(stretch.turn.angle) / turn_step)));
     for (int i = 0; i <= n; ++i) {
-      poses.push_back({make_pose(stretch.turn.at, wrap(stretch.turn.from + stretch.turn.angle * i / n)), 0.0, i == 0 ? 0.0 : std::abs(stretch.turn.angle) / n});
+      poses.push_back({make_pose(stretch.turn.at, wrap(stretch.turn.from + stretch.turn.angle * i / n)), 0.0, i == 0 ? 0.0 : std::abs(stretch.turn.angle) / n, 0.0});
     }
     return;
   }
-  poses.push_back({start_of(stretch), 0.0, 0.0});
+  poses.push_back({start_of(stretch), 0.0, 0.0, 0.0});
   std::vector<Pose> courses;
   for (const Clothoid& c : stretch.curves) {
-    const double bend = greatest_curvature(c);
-    const int n = std::max(1, static_cast<int>(std::ceil(std::max(c.length / step, bend * c.length / turn_step))));
+    const double sharpest = greatest_curvature(c);
+    const int n = std::max(1, static_cast<int>(std::ceil(std::max(c.length / step, sharpest * c.length / turn_step))));
+    const double way = c.length / n;
     courses.clear();
-    sample_clothoid(c, c.length / n, c.length / n, static_cast<std::size_t>(n - 1), courses);
-    for (const Pose& p : courses) poses.push_back({make_pose(p.position(), facing(p.heading, stretch.direction)), c.length / n, bend * c.length / n});
-    const Pose end = end_of(c);
-    poses.push_back({make_pose(end.position(), facing(end.heading, stretch.direction)), c.length / n, bend * c.length / n});
+    sample_clothoid(c, way, way, static_cast<std::size_t>(n - 1), courses);
+    courses.push_back(end_of(c));
+    for (int i = 0; i < n; ++i) {
+      const Pose& p = courses[static_cast<std::size_t>(i)];
+      const double from = c.curvature + c.curvature_rate * way * i;
+      poses.push_back({make_pose(p.position(), facing(p.heading, stretch.direction)), way, sharpest * way, bend_between(from, from + c.curvature_rate * way, way)});
+    }
   }
 }
 

@@ -15,6 +15,8 @@ struct Stretch {
 
 /// m; none of a turn on the spot
 double length_of(const Stretch& stretch);
+/// ∫κ² over it, 1/m
+double bend_of(const Stretch& stretch);
 /// Vehicle poses at its ends. @pre not empty
 Pose start_of(const Stretch& stretch);
 Pose end_of(const Stretch& stretch);
@@ -39,6 +41,7 @@ struct SteppedPose {
   Pose pose{};
   double way = 0.0;    ///< m of the origin
   double angle = 0.0;  ///< rad by which the heading changes at most
+  double bend = 0.0;   ///< ∫κ², 1/m
 };
 /// At most `step` m and `turn_step` rad apart, first and last included, appended.
 void sample_stretch(const Stretch& stretch, double step, double turn_step, std::vector<SteppedPose>& poses);
