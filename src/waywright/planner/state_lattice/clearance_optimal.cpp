@@ -26,12 +26,12 @@ class ClearanceOptimalPlanner::Ready {
     if (!graph_.refused().empty()) return tl::unexpected{failure(Status::no_path, graph_.refused())};
     if (problem_.start() == problem_.goal()) return tl::unexpected{failure(Status::no_path, "start and goal are the same pose, there is nothing to drive")};
     budget.count_evaluations();
+    if (graph_.is_cut_off() || rest_->is_cut_off()) {
+      return tl::unexpected{failure(Status::no_path, fmt::format("nothing leads from start to goal even for the largest disc in the footprint, over cells of {:g} m; known without a search", graph_.cell()))};
+    }
     if (graph_.goal_motions().empty()) {
       return tl::unexpected{failure(Status::no_path, fmt::format("no motion within the vehicle's limits leads from the lattice (cells of {:g} m, {} headings) into the goal", graph_.cell(), lattice_headings),
                                     problem_.goal())};
-    }
-    if (rest_->is_cut_off()) {
-      return tl::unexpected{failure(Status::no_path, fmt::format("nothing leads from start to goal even for the largest disc in the footprint, over cells of {:g} m; known without a search", graph_.cell()))};
     }
     MotionCost cost{problem_, graph_.options().costs, graph_.margin()};
     const LatticeAnswer answer = search_lattice(graph_, *rest_, cost, options.gap, budget);
@@ -110,7 +110,7 @@ PlannerDescription clearance_optimal_description() {
       {
           {.name = "danger_weight", .default_value = costs.weight, .summary = "a metre at the least clearance that is allowed costs 1 + danger_weight", .low = 0, .high = 1000},
           {.name = "danger_range", .default_value = costs.range, .summary = "so far beyond the clearance that is required there is danger", .unit = "m", .low = 0.01, .high = 20},
-          {.name = "resolution", .default_value = 0.0, .summary = "size of the lattice's cells; 0: an eighth of the least radius, 0.05 to 0.5, doubled until there are at most 250000", .unit = "m", .low = 0,
+          {.name = "resolution", .default_value = 0.0, .summary = "size of the lattice's cells; 0: an eighth of the least radius, 0.1 to 0.5, doubled until there are at most 250000", .unit = "m", .low = 0,
            .high = 10},
           {.name = "min_radius", .default_value = lattice.min_radius, .summary = "least radius of bends, of vehicles whose curvature is not limited", .unit = "m", .low = 0.05, .high = 100},
           {.name = "reverse_cost", .default_value = costs.reverse, .summary = "metres that a metre backwards counts as; under 1: never backwards", .low = 0, .high = 100},

@@ -13,14 +13,15 @@ namespace waywright {
 namespace {
 
 constexpr double cells_a_radius = 8.0;
-constexpr double finest = 0.05, coarsest = 0.5;  // m, of cells that nobody asked for
+constexpr double finest = 0.1, coarsest = 0.5;  // m, of cells that nobody asked for
+constexpr double rounded_to = 0.05;                // m
 constexpr double usual_cells = 250'000;          // where nobody asks
 constexpr double half_diagonal = 0.7071067811866;
 constexpr double most_bent = 0.6;                // rad, of a motion into the goal: how far the chord leaves that of an arc
 constexpr std::size_t most_a_heading = 16;       // motions into the goal from states of one heading and direction, the shortest
 constexpr double near_by = 2.5;                  // cells, from where a vehicle that turns on the spot drives straight to the goal
 
-double cell_of(double radius) { return std::clamp(finest * std::round(radius / cells_a_radius / finest), finest, coarsest); }
+double cell_of(double radius) { return std::clamp(rounded_to * std::round(radius / cells_a_radius / rounded_to), finest, coarsest); }
 
 }  // namespace
 
@@ -40,7 +41,9 @@ LatticeGraph::LatticeGraph(const Problem& problem, const LatticeOptions& options
   cell_ = options.cell > 0.0 ? options.cell : cell_of(1.0 / limits_.curvature);
   if (!set_extent(problem)) return;
   bounds_.emplace(problem, grid_);
-  bound_clearances(problem);
+  inner_radius_ = problem.footprint().inner_radius();
+  bound_clearances();
+  look_for_a_way(problem);
   const MotionCost cost{problem, options_.costs, margin_};
   primitives_ = motion_primitives({cell_, limits_, options_.may_turn, options_.may_reverse, frame_.heading()}, cost);
   find_goal_motions(problem);
@@ -78,21 +81,52 @@ bool LatticeGraph::set_extent(const Problem& problem) {
   }
 }
 
-void LatticeGraph::bound_clearances(const Problem& problem) {
+double LatticeGraph::clearance_at_most(Vec2 place) const {
+  const Vec2 at = grid_.in_cells(place);
+  const Cell c{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
+  // Beyond a grid of the map's own all is blocked; beyond cells that were laid over what can be driven on nothing is known.
+  if (!grid_.contains(c)) return grid_.is_native ? 0.0 : std::numeric_limits<double>::infinity();
+  const double x = at.x - c.column - 0.5, y = at.y - c.row - 0.5;
+  return bounds_->at_most(c) + std::sqrt(x * x + y * y) * grid_.cell * (1.0 + 1e-9) - inner_radius_;
+}
+
+void LatticeGraph::bound_clearances() {
   at_most_.resize(cells());
-  const double inner = problem.footprint().inner_radius();
-  for (std::uint32_t i = 0; i < at_most_.size(); ++i) {
-    const Vec2 at = grid_.in_cells(place(i));
-    const Cell c{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
-    double most = std::numeric_limits<double>::infinity();
-    if (!grid_.contains(c)) {
-      // Its middle is beyond what can be driven on, by rounding or where the lattice lies askew over the grid.
-      most = grid_.is_native ? 0.0 : most;
-    } else {
-      most = bounds_->at_most(c) + half_diagonal * grid_.cell - inner;
+  for (std::uint32_t i = 0; i < at_most_.size(); ++i) at_most_[i] = std::nextafter(static_cast<float>(clearance_at_most(place(i))), std::numeric_limits<float>::infinity());
+}
+
+/// Where the origin goes on any way that is free, it passes from one cell of the grid to one that touches it, and each holds a place with the clearance that is required.
+void LatticeGraph::look_for_a_way(const Problem& problem) {
+  const auto cell_of = [&](Vec2 p) {
+    const Vec2 at = grid_.in_cells(p);
+    return Cell{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
+  };
+  const Cell from = cell_of(problem.start().position()), to = cell_of(problem.goal().position());
+  if (!grid_.contains(from) || !grid_.contains(to)) return;  // on the border, or beyond what is known
+  const auto columns = static_cast<std::size_t>(grid_.columns);
+  std::vector<std::uint8_t> seen(columns * static_cast<std::size_t>(grid_.rows), 0);
+  const auto at = [&](Cell c) { return static_cast<std::size_t>(c.row) * columns + static_cast<std::size_t>(c.column); };
+  std::vector<Cell> open{from};
+  seen[at(from)] = 1;
+  while (!open.empty()) {
+    const Cell c = open.back();
+    open.pop_back();
+    if (c == to) return;
+    for (int dr = -1; dr <= 1; ++dr) {
+      for (int dc = -1; dc <= 1; ++dc) {
+        const Cell next{c.column + dc, c.row + dr};
+        // Ways beyond the cells are not looked at: there all counts as free.
+        if (!grid_.contains(next)) {
+          if (!grid_.is_native) return;
+          continue;
+        }
+        if (seen[at(next)] != 0) continue;
+        seen[at(next)] = 1;
+        if (bounds_->at_most(next) + half_diagonal * grid_.cell - inner_radius_ >= required_) open.push_back(next);
+      }
     }
-    at_most_[i] = std::nextafter(static_cast<float>(most), std::numeric_limits<float>::infinity());
   }
+  is_cut_off_ = true;
 }
 
 double LatticeGraph::distance_at_least(Vec2 point) const {

@@ -12,7 +12,7 @@
 namespace waywright {
 
 struct LatticeOptions {
-  double cell = 0.0;        ///< m; 0: an eighth of the least radius, 0.05 to 0.5
+  double cell = 0.0;        ///< m; 0: an eighth of the least radius, 0.1 to 0.5
   double min_radius = 0.5;  ///< m, of vehicles whose curvature is not limited
   bool may_turn = true;     ///< on the spot, where the vehicle can
   bool may_reverse = true;
@@ -62,6 +62,10 @@ class LatticeGraph {
 
   /// m, the footprint's clearance is at most this where its origin is in the cell's place, whatever it faces.
   double clearance_at_most(std::uint32_t cell) const { return at_most_[cell]; }
+  /// The same for any place of the world.
+  double clearance_at_most(Vec2 place) const;
+  /// Not even the largest disc in the footprint can get from start to goal.
+  bool is_cut_off() const { return is_cut_off_; }
   /// m, nothing is nearer to this point of the world.
   double distance_at_least(Vec2 point) const;
   double margin() const { return margin_; }
@@ -77,7 +81,8 @@ class LatticeGraph {
     return {c.column * cell_, c.row * cell_};
   }
   bool set_extent(const Problem& problem);
-  void bound_clearances(const Problem& problem);
+  void bound_clearances();
+  void look_for_a_way(const Problem& problem);
   void find_goal_motions(const Problem& problem);
 
   std::string refused_;
@@ -89,6 +94,8 @@ class LatticeGraph {
   int columns_ = 0, rows_ = 0;
   GridFrame grid_;
   std::optional<CellBounds> bounds_;
+  double inner_radius_ = 0.0;
+  bool is_cut_off_ = false;
   MotionPrimitives primitives_;
   std::vector<GoalMotion> goal_motions_;
   std::vector<float> at_most_;

@@ -12,24 +12,16 @@ constexpr double beyond_start = 1.3;  // of what the start's rest is
 constexpr double and_more = 2.0;      // m
 constexpr double rounding = 1e-9;     // share by which sums of a search may be off
 
-struct LeastStep {
-  LatticeStep step{};
-  double metres = 0.0, length = 0.0;
-};
-
-/// Every step once, with the least of what it can cost and of its length.
-std::vector<LeastStep> least_steps(const MotionPrimitives& primitives) {
-  std::vector<LeastStep> all;
-  for (const auto& of_heading : primitives) {
-    for (const MotionPrimitive& p : of_heading) {
+/// Motions that change the cell; of those that drive the same curve in both directions the less costly one.
+std::vector<const MotionPrimitive*> least_motions(const MotionPrimitives& primitives) {
+  std::vector<const MotionPrimitive*> all;
+  for (int h = 0; h < lattice_headings; ++h) {
+    for (const MotionPrimitive& p : primitives[static_cast<std::size_t>(h)]) {
       if (p.step == LatticeStep{}) continue;
-      const auto it = std::find_if(all.begin(), all.end(), [&](const LeastStep& s) { return s.step == p.step; });
-      if (it == all.end()) {
-        all.push_back({p.step, p.metres, p.length});
-      } else {
-        it->metres = std::min(it->metres, p.metres);
-        it->length = std::min(it->length, p.length);
-      }
+      const auto is_same = [&](const MotionPrimitive& q) { return q.step == p.step && q.to == other_way(p.to) && q.length == p.length && q.stretch.direction != p.stretch.direction; };
+      const auto& others = primitives[static_cast<std::size_t>(other_way(h))];
+      const auto same = std::find_if(others.begin(), others.end(), is_same);
+      if (same == others.end() || p.metres < same->metres || (p.metres == same->metres && p.stretch.direction > 0)) all.push_back(&p);
     }
   }
   return all;
@@ -37,18 +29,27 @@ std::vector<LeastStep> least_steps(const MotionPrimitives& primitives) {
 
 }  // namespace
 
-double LatticeRest::motion_at_least(std::uint32_t from, std::uint32_t to, double metres, double length) const {
-  const double a = graph_.clearance_at_most(from) - graph_.required(), b = graph_.clearance_at_most(to) - graph_.required();
-  if (std::min(a, b) >= costs_.range || length == 0.0) return metres;
-  // Half the way the origin can have led away from one end, half to the other.
-  const double half = 0.5 * length;
-  return metres / length * (costs_.away(std::max(a, 0.0), half) + costs_.away(std::max(b, 0.0), half)) * (1.0 - rounding);
+double LatticeRest::motion_at_least(std::uint32_t from, std::uint32_t to, const MotionPrimitive& motion) const {
+  if (motion.length == 0.0) return motion.metres;
+  const double required = graph_.required(), margin = graph_.margin();
+  const double half = 0.5 * motion.length / static_cast<double>(motion.between.size() + 1);
+  // Half the way to the next place the origin can have led straight away from one, half towards the other.
+  const double begin = graph_.clearance_at_most(from), end = graph_.clearance_at_most(to);
+  if (begin <= margin || end <= margin) return std::numeric_limits<double>::infinity();
+  double sum = costs_.away(begin - required, half) + costs_.away(end - required, half);
+  const Vec2 at = graph_.place(from);
+  for (const Vec2 offset : motion.between) {
+    const double there = graph_.clearance_at_most(at + offset);
+    if (there <= margin) return std::numeric_limits<double>::infinity();
+    sum += 2.0 * costs_.away(there - required, half);
+  }
+  return std::max(motion.metres, motion.metres / motion.length * sum * (1.0 - rounding));
 }
 
 LatticeRest::LatticeRest(const LatticeGraph& graph, const DangerCosts& costs) : graph_{graph}, costs_{costs} {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   rest_.assign(graph.cells(), infinity);
-  const std::vector<LeastStep> steps = least_steps(graph.primitives());
+  const std::vector<const MotionPrimitive*> motions = least_motions(graph.primitives());
   using Entry = std::pair<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   const auto reach = [&](std::uint32_t cell, double cost) {
@@ -60,6 +61,7 @@ LatticeRest::LatticeRest(const LatticeGraph& graph, const DangerCosts& costs) : 
   double until = infinity;
   known_ = infinity;
   is_cut_off_ = true;
+  if (graph.is_cut_off()) return;
   while (!open.empty()) {
     const auto [cost, cell] = open.top();
     open.pop();
@@ -72,11 +74,10 @@ LatticeRest::LatticeRest(const LatticeGraph& graph, const DangerCosts& costs) : 
       is_cut_off_ = false;
       until = beyond_start * cost + and_more;
     }
-    for (const LeastStep& s : steps) {
-      const auto before = graph.moved(cell, {-s.step.column, -s.step.row});
-      if (!before || graph.clearance_at_most(*before) <= graph.margin()) continue;
-      if (cost + s.metres >= rest_[*before]) continue;
-      reach(*before, cost + motion_at_least(*before, cell, s.metres, s.length));
+    for (const MotionPrimitive* m : motions) {
+      const auto before = graph.moved(cell, {-m->step.column, -m->step.row});
+      if (!before || cost + m->metres >= rest_[*before]) continue;
+      reach(*before, cost + motion_at_least(*before, cell, *m));
     }
   }
 }

@@ -8,8 +8,8 @@
 
 namespace waywright {
 
-/// The lattice without its headings: from cell to cell by every step that some motion has, at its least length, with the least danger that there can be where the
-/// clearance is bounded at both ends. Dijkstra from the goal.
+/// The lattice without its headings: from cell to cell by every motion of any heading, with the least danger that there can be where the distance of its origin to
+/// obstacles is known at some places. Dijkstra from the goal.
 /// Laws: rest(cell) ≤ cost of any way in the lattice from a state of the cell; rest(a) ≤ cost of a motion from a to b + rest(b).
 class LatticeRest {
  public:
@@ -19,8 +19,8 @@ class LatticeRest {
   double operator()(std::uint32_t cell) const { return rest_[cell] < known_ ? rest_[cell] : known_; }
   /// No way leads from the start's cell.
   bool is_cut_off() const { return is_cut_off_; }
-  /// What a motion costs at least between these cells.
-  double motion_at_least(std::uint32_t from, std::uint32_t to, double metres, double length) const;
+  /// What a motion between these cells costs at least; +∞ where it cannot be free.
+  double motion_at_least(std::uint32_t from, std::uint32_t to, const MotionPrimitive& motion) const;
 
  private:
   const LatticeGraph& graph_;

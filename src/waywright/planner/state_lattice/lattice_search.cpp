@@ -104,10 +104,10 @@ class Search {
       const MotionPrimitive& p = primitives[i];
       const int direction = p.stretch.direction;
       const auto there = graph_.moved(cell, p.step);
-      if (!there || graph_.clearance_at_most(*there) <= graph_.margin()) continue;
+      if (!there) continue;
       const std::uint32_t to = state(*there, p.to, direction == 0 ? direction_of(at) : direction);
       if (nodes_.at(to).is_closed) continue;
-      const double least = rest_.motion_at_least(cell, *there, p.metres, p.length);
+      const double least = rest_.motion_at_least(cell, *there, p);
       push({0.0, so_far + changing(at, direction) + least, at, to, i}, *there);
     }
     const auto [begin, end] = graph_.goal_motions_of(cell);
@@ -171,7 +171,7 @@ class Search {
   }
 
   /// The estimate of what comes next is at most so many times what the best way costs (A* with a consistent estimate; Pohl 1970, Likhachev et al. 2003).
-  void bound(const Entry& top) { answer_.lower_bound = top.estimate / stretch_; }
+  void bound(const Entry& top) { answer_.lower_bound = std::max(top.estimate / stretch_, rest_(graph_.start_cell())); }
 
   const LatticeGraph& graph_;
   const LatticeRest& rest_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "waywright/curve/clothoid.hpp"
+
 namespace waywright {
 namespace {
 
@@ -11,6 +13,7 @@ constexpr int most_headings_turned = 4;     // 90°, near enough
 constexpr double most_askew = 0.35;         // rad, between the chord and the one of an arc
 constexpr int most_cells = 400;             // of a primitive's chord
 constexpr double widest_search = 3.0;       // times the least chord that there can be
+constexpr double apart = 1.5;                // cells, between places of a way that are looked at to bound its cost
 constexpr int lattice_quarter = lattice_headings / 4;
 
 Vec2 way_of(LatticeStep step, double cell) { return {step.column * cell, step.row * cell}; }
@@ -81,6 +84,20 @@ Found turned_quarters(const Found& found, int quarters) {
   return out;
 }
 
+/// Places at equal distances of at most `apart` m along a stretch from (0, 0), without its ends.
+std::vector<Vec2> places_between(const Stretch& stretch, double apart_at_most, const Frame& axes) {
+  const double length = length_of(stretch);
+  const int n = static_cast<int>(std::ceil(length / apart_at_most));
+  std::vector<Vec2> places;
+  for (int k = 1; k < n; ++k) {
+    double s = length * k / n;
+    std::size_t i = 0;
+    while (i + 1 < stretch.curves.size() && s > stretch.curves[i].length) s -= stretch.curves[i++].length;
+    places.push_back(axes.to_world(evaluate(stretch.curves[i], s).position));
+  }
+  return places;
+}
+
 }  // namespace
 
 double lattice_heading(int heading) {
@@ -102,6 +119,7 @@ MotionPrimitives motion_primitives(const PrimitiveOptions& options, const Motion
     p.metres = cost.costs().metres_of(p.stretch);
     p.middle = p.poses[p.poses.size() / 2].offset;
     for (const CostedPose& pose : p.poses) p.reach = std::max(p.reach, distance(pose.offset, p.middle) + pose.sweep);
+    p.between = places_between(p.stretch, apart * options.cell, axes);
     all[static_cast<std::size_t>(heading)].push_back(std::move(p));
   };
   const auto add_both_ways = [&](int course, int to_course, const Found& found) {

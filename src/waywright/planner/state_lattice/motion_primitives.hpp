@@ -29,6 +29,7 @@ struct MotionPrimitive {
   double length = 0.0;     ///< m
   Vec2 middle{};           ///< m, in world axes
   double reach = 0.0;      ///< m, no origin on the way is farther from there
+  std::vector<Vec2> between;  ///< m, in world axes: where the origin is at equal distances of the way, without the ends
   std::vector<CostedPose> poses;
 };
 

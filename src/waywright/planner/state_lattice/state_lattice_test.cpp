@@ -204,7 +204,7 @@ TEST(LatticeRest, IsConsistentWithEveryMotion) {
           if (!motion) continue;
           ++looked;
           ASSERT_LE(rest(cell), *motion + rest(*there) + 1e-9);
-          ASSERT_LE(rest.motion_at_least(cell, *there, p.metres, p.length), *motion + 1e-9);
+          ASSERT_LE(rest.motion_at_least(cell, *there, p), *motion + 1e-9);
           ASSERT_GT(graph.clearance_at_most(*there), graph.margin()) << "a state that the footprint can stand in counts as blocked";
         }
       }
