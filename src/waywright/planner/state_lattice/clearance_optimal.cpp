@@ -24,6 +24,9 @@ class ClearanceOptimalPlanner::Ready {
 
   PlanningResult plan(const ClearanceOptimalOptions& options, Budget& budget) const {
     if (!graph_.refused().empty()) return tl::unexpected{failure(Status::no_path, graph_.refused())};
+    if (budget.exhausted()) {
+      return tl::unexpected{budget.canceled() ? failure(Status::canceled, "canceled before the search began") : failure(Status::timed_out, "the time was over before the search began")};
+    }
     if (problem_.start() == problem_.goal()) return tl::unexpected{failure(Status::no_path, "start and goal are the same pose, there is nothing to drive")};
     budget.count_evaluations();
     if (graph_.is_cut_off() || rest_->is_cut_off()) {
@@ -47,8 +50,8 @@ class ClearanceOptimalPlanner::Ready {
     if (answer.ended == End::canceled) return failure(Status::canceled, "canceled " + so_far);
     if (answer.ended == End::timed_out) return failure(Status::timed_out, fmt::format("the {:g} s were over {}", budget.limits().seconds.value_or(0.0), so_far));
     if (answer.ended == End::out_of_budget) return failure(Status::timed_out, fmt::format("the budget was used up {}", so_far));
-    return failure(Status::no_path, fmt::format("all {} that the footprint can reach in cells of {:g} m and {} headings were searched, and none leads into the goal; a finer resolution may find a way",
-                                                counted(answer.expansions, "state"), graph_.cell(), lattice_headings));
+    return failure(Status::no_path, fmt::format("{} that the footprint can reach in cells of {:g} m and {} headings {} searched, and none leads into the goal; a finer resolution or ompl_rrt_connect may find a way",
+                                                counted(answer.expansions, "state"), graph_.cell(), lattice_headings, answer.expansions == 1 ? "was" : "were"));
   }
 
   PlanningResult explained(const ClearanceOptimalOptions& options, const LatticeAnswer& answer, MotionCost& cost, Budget& budget) const {
