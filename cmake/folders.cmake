@@ -66,7 +66,11 @@ function(waywright_test target)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${target} PRIVATE WAYWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   waywright_flags(${target})
-  gtest_discover_tests(${target} TEST_FILTER "-*Full*" DISCOVERY_MODE PRE_TEST PROPERTIES LABELS quick TIMEOUT 300)
+  set(timeout 300)
+  if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=")  # many times slower
+    set(timeout 1800)
+  endif()
+  gtest_discover_tests(${target} TEST_FILTER "-*Full*" DISCOVERY_MODE PRE_TEST PROPERTIES LABELS quick TIMEOUT ${timeout})
   gtest_discover_tests(${target} TEST_FILTER "*Full*" TEST_SUFFIX ".full" DISCOVERY_MODE PRE_TEST
                        PROPERTIES LABELS full TIMEOUT 3600)
 endfunction()

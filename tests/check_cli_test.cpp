@@ -243,11 +243,12 @@ TEST_F(CheckCommand, InterruptKeepsWhatIsFinished) {
   const pid_t child = ::fork();
   if (child == 0) {
     if (::chdir(folder_.c_str()) != 0 || ::freopen("out.txt", "w", stdout) == nullptr) ::_exit(9);
-    ::execl(WAYWRIGHT_BINARY, "waywright", "check", "site.csv", "--map", "site.yaml", "--vehicle", vehicle.c_str(), "--set", "optimizer=ga", "--set", "evaluations=400000", "--threads",
+    ::execl(WAYWRIGHT_BINARY, "waywright", "check", "site.csv", "--map", "site.yaml", "--vehicle", vehicle.c_str(), "--set", "optimizer=ga", "--set", "evaluations=40000", "--threads",
             "1", "-o", "c", static_cast<char*>(nullptr));
     ::_exit(9);
   }
-  for (int i = 0; i < 600 && !fs::exists(folder_ / "c/A-01/place.json"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  for (int i = 0; i < 2000 && !fs::exists(folder_ / "c/A-01/place.json"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  ASSERT_TRUE(fs::exists(folder_ / "c/A-01/place.json")) << "the first place was not finished in 200 s";
   ::kill(child, SIGINT);
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
@@ -262,7 +263,7 @@ TEST_F(CheckCommand, InterruptKeepsWhatIsFinished) {
   std::string line;
   for (int i = 0; i < 2 && std::getline(lines, line); ++i) first << line << '\n';
   first.close();
-  const Outcome more = run("check first.csv --map site.yaml --vehicle " + vehicle + " --set optimizer=ga --set evaluations=400000 -o c");
+  const Outcome more = run("check first.csv --map site.yaml --vehicle " + vehicle + " --set optimizer=ga --set evaluations=40000 -o c");
   EXPECT_NE(more.out.find("1 taken over, 0 planned"), std::string::npos) << more.out << more.err;
 }
 
