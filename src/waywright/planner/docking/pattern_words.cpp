@@ -53,7 +53,7 @@ std::string refusal_of(const Problem& problem, const SideFound& found, bool in_m
   return too_fast ? too_fast->sentence : "the proof did not confirm it";
 }
 
-SideOutcome outcome_of(const PreparedDocking& prepared, const Zone& zone, const SideFound& found, const PatternSolver& solver, const Budget& budget) {
+SideOutcome outcome_of(const PreparedDocking& prepared, const TransitionZone& zone, const SideFound& found, const PatternSolver& solver, const Budget& budget) {
   const Problem& problem = prepared.problem();
   SideOutcome outcome;
   outcome.side = zone.side;
@@ -116,7 +116,7 @@ std::vector<std::string> entry_sentences(const Problem& problem, const PatternSo
 
 std::vector<SideOutcome> outcomes_of(const PreparedDocking& prepared, const PatternSolver& solver, const Budget& budget) {
   std::vector<SideOutcome> outcomes;
-  const std::vector<Zone>& zones = prepared.task().zones;
+  const std::vector<TransitionZone>& zones = prepared.task().zones;
   for (std::size_t i = 0; i < zones.size(); ++i) outcomes.push_back(outcome_of(prepared, zones[i], solver.sides()[i], solver, budget));
   return outcomes;
 }
