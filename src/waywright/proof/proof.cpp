@@ -8,6 +8,7 @@
 #include <span>
 
 #include "waywright/proof/collision.hpp"
+#include "waywright/proof/directions.hpp"
 #include "waywright/proof/limits.hpp"
 #include "waywright/proof/passing.hpp"
 
@@ -120,6 +121,7 @@ Proof prove(const Problem& problem, const Path& path, const ProofOptions& option
   append(proof.violations, check_continuity(problem, path, motion, options));
   append(proof.violations, check_limits(problem.vehicle(), path, motion));
   append(proof.violations, check_waypoints(problem, motion, options));
+  append(proof.violations, check_directions(problem, path, motion, options));
 
   // What is driven in the open, and the stretch in the shelf.
   const std::optional<std::size_t> pocket_piece = problem.pocket_piece(path);

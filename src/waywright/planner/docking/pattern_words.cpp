@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "waywright/judge/entry.hpp"
+#include "waywright/speed/zone_speed.hpp"
 
 namespace waywright {
 namespace {
@@ -49,7 +50,8 @@ std::string refusal_of(const Problem& problem, const SideFound& found, bool in_m
   const Proof proof = prove(problem, whole);
   if (!proof.violations.empty()) return proof.violations.front().sentence;
   SpeedWorkspace timing;
-  const auto too_fast = check_entry(problem, sample(whole, problem.footprint().radius(), proof.certificate.tolerance), timing);
+  const std::vector<Sample> samples = sample(whole, problem.footprint().radius(), proof.certificate.tolerance);
+  const auto too_fast = check_entry(problem, samples, timing, zone_limits(problem, samples, proof.certificate.tolerance));
   return too_fast ? too_fast->sentence : "the proof did not confirm it";
 }
 
