@@ -288,6 +288,7 @@ TEST_F(CommandLine, CompareRunsAnOutsidePlanner) {
 TEST_F(CommandLine, ListMapAndGenerate) {
   EXPECT_NE(run("list planners").out.find("pattern_docking"), std::string::npos);
   EXPECT_NE(run("list pattern_docking").out.find("heading_range"), std::string::npos);
+  for (const char* zone : {"forbidden", "directed", "preferred", "penalty", "speed_limit"}) EXPECT_NE(run("list zones").out.find(zone), std::string::npos) << zone;
   EXPECT_EQ(run("list").status, 0);
   refused(run("list nonsense"), {"nonsense", "planners"});
   EXPECT_NE(run("map " + example("warehouse.yaml") + " -o m.json").out.find("1200 × 800"), std::string::npos);

@@ -110,7 +110,7 @@ TEST(Zones, SoDoesAFootprintWithHeadings) {
   for (const Wanted& w : wanted()) {
     SCOPED_TRACE(w.name);
     Scenario s = two_gaps(w.zones);
-    s.vehicle.footprint = {rectangle({-0.3, -0.2}, {0.3, 0.2}), 0.0};
+    s.vehicle.footprint = {rectangle({-0.3, -0.3}, {0.3, 0.3}), 0.0};
     for (const char* planner : {"dijkstra", "astar"}) {
       const Plan plan = planned(s, planner, {{"resolution", 0.5}, {"turn_cost", 0.001}});
       if (w.length < 0.0) {

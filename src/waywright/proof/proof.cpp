@@ -118,10 +118,10 @@ Proof prove(const Problem& problem, const Path& path, const ProofOptions& option
 
   Motion& motion = state.motion;
   motion.assign(path);
+  append(proof.violations, check_directions(problem, path, motion, options));  // first: a reason names a few violations only, and these are about what was asked
   append(proof.violations, check_continuity(problem, path, motion, options));
   append(proof.violations, check_limits(problem.vehicle(), path, motion));
   append(proof.violations, check_waypoints(problem, motion, options));
-  append(proof.violations, check_directions(problem, path, motion, options));
 
   // What is driven in the open, and the stretch in the shelf.
   const std::optional<std::size_t> pocket_piece = problem.pocket_piece(path);
