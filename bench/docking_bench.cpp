@@ -78,7 +78,7 @@ constexpr int generations = 30;
 /// The published way: flat knock-outs on top of length and change of curvature.
 struct PlainProblem {
   const Setting* s = nullptr;
-  const Zone* zone = nullptr;
+  const TransitionZone* zone = nullptr;
   pagmo::vector_double fitness(const pagmo::vector_double& x) const {
     const DockingPattern p = docking_pattern(placement_of(s->problem.start()), placement_of(s->problem.goal()), transition_placement(s->prepared.task(), *zone, x), {});
     const yardstick::Verdict v = yardstick::evaluate_plain(s->scene, candidate_of(p), lanes::samples);
@@ -101,7 +101,7 @@ void side_pagmo_de_on_plain(benchmark::State& state, Clutter clutter) {
 }
 void side_ours(benchmark::State& state, Clutter clutter) {
   const Setting& s = setting(clutter);
-  const Zone& zone = s.prepared.task().zones[0];
+  const TransitionZone& zone = s.prepared.task().zones[0];
   CandidateEvaluator evaluator{s.prepared};
   const Placement start = placement_of(s.problem.start());
   const Placement dock = placement_of(s.problem.goal());

@@ -27,7 +27,7 @@ constexpr int seeds = 5;              // of differential evolution on each side
 /// One side of one station's shelf, as a function to be minimised.
 class Task {
  public:
-  Task(const PreparedDocking& prepared, const Zone& zone, double heading_range)
+  Task(const PreparedDocking& prepared, const TransitionZone& zone, double heading_range)
       : prepared_{prepared}, zone_{zone}, evaluator_{prepared}, space_{search_space(zone, heading_range)} {}
 
   const SearchSpace& space() const { return space_; }
@@ -52,7 +52,7 @@ class Task {
 
  private:
   const PreparedDocking& prepared_;
-  const Zone& zone_;
+  const TransitionZone& zone_;
   CandidateEvaluator evaluator_;
   SearchSpace space_;
 };
@@ -166,7 +166,7 @@ void run(int variables, std::int64_t evaluations, std::size_t wanted) {
     Random random{seed};
     const Problem problem = Problem::prepare(docking_scenario(Clutter::boxes, seed, 14 + seed % 12)).value();
     const PreparedDocking prepared{problem};
-    for (const Zone& zone : prepared.task().zones) {
+    for (const TransitionZone& zone : prepared.task().zones) {
       if (zone.left_out() || sides == wanted) continue;
       Task task{prepared, zone, variables == 3 ? 1.0 : 0.0};
       const double share = feasible_share(task, random);

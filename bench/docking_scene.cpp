@@ -86,7 +86,7 @@ yardstick::Candidate candidate_of(const DockingPattern& pattern) {
 }
 
 DockingPattern random_pattern(const Problem& problem, const DockingTask& task, Random& random) {
-  const Zone& zone = task.zones[random.uniform() < 0.5 ? 0 : 1];
+  const TransitionZone& zone = task.zones[random.uniform() < 0.5 ? 0 : 1];
   const SearchSpace space = search_space(zone, 1.0);
   std::array<double, 3> x{};
   for (std::size_t i = 0; i < 3; ++i) x[i] = random.uniform(space.low[i], space.high[i]);

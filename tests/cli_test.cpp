@@ -288,6 +288,7 @@ TEST_F(CommandLine, CompareRunsAnOutsidePlanner) {
 TEST_F(CommandLine, ListMapAndGenerate) {
   EXPECT_NE(run("list planners").out.find("pattern_docking"), std::string::npos);
   EXPECT_NE(run("list pattern_docking").out.find("heading_range"), std::string::npos);
+  for (const char* zone : {"forbidden", "directed", "preferred", "penalty", "speed_limit"}) EXPECT_NE(run("list zones").out.find(zone), std::string::npos) << zone;
   EXPECT_EQ(run("list").status, 0);
   refused(run("list nonsense"), {"nonsense", "planners"});
   EXPECT_NE(run("map " + example("warehouse.yaml") + " -o m.json").out.find("1200 × 800"), std::string::npos);
@@ -400,7 +401,8 @@ TEST_F(CommandLine, BadScenariosAreOneSentenceThatNamesTheField) {
       {"two missions", [](Json& j) { j["goal"] = {1, 2, 3}; }, {"more than one mission"}},
       {"no mission", [](Json& j) { j.erase("station"); }, {"mission is missing", "goal, station)"}},
       {"waypoints", [](Json& j) { j["waypoints"] = {{1, 2}}; }, {"waypoints", "beside a station"}},
-      {"zones", [](Json& j) { j["zones"] = {{{"type", "forbidden"}}}; }, {"zones", "not supported yet"}},
+      {"zones", [](Json& j) { j["zones"] = {{{"type", "forbidden"}}}; }, {"zones[0].area", "missing", "array of points"}},
+      {"factor", [](Json& j) { j["zones"] = {{{"type", "penalty"}, {"area", {{0, 0}, {1, 0}, {1, 1}}}, {"factor", 0}}}; }, {"zones[0].factor", "0 is out of range", "1 to 1000"}},
       {"undock", [](Json& j) { j["station"]["manoeuvre"] = "undok"; }, {"undok", "undock"}},
       {"load", [](Json& j) { j["carried_load"] = "pallet"; }, {"carried_load", "pallet", "no load"}},
       {"insertion", [](Json& j) { j["station"]["insertion"] = {{"depth", 1}}; }, {"insertion", "pockets", "missing"}},

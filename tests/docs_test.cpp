@@ -34,6 +34,21 @@ TEST_F(CommandLine, TheDocumentsMapIsRead) {
   EXPECT_EQ(planned.status, 0) << planned.out << planned.err;
 }
 
+TEST_F(CommandLine, TheDocumentsZonesAreRead) {
+  const std::string zones = block_after("zones");
+  ASSERT_FALSE(zones.empty());
+  Json s = {{"format", "waywright-scenario/1"},
+            {"map", {{"polygons", {{"boundary", {{0, 0}, {30, 0}, {30, 16}, {0, 16}}}}}}},
+            {"vehicle", {{"footprint", {{"disc", 0.3}}}, {"drive", {{"type", "differential"}, {"track", 0.4}}}}},
+            {"start", {2, 6, 0}},
+            {"goal", {27, 6, 0}},
+            {"planner", {{"name", "astar"}, {"resolution", 0.25}}}};
+  s["zones"] = Json::parse(zones);
+  const Outcome planned = run("plan " + write(s) + " -o o");
+  EXPECT_EQ(planned.status, 0) << planned.out << planned.err;
+  EXPECT_EQ(Json::parse(slurp((folder_ / "o/plan.json").string()))["scenario"]["zones"].size(), 5U);
+}
+
 TEST_F(CommandLine, TheDocumentsTableOfStationsIsRead) {
   const std::string table = block_after("checked");
   ASSERT_FALSE(table.empty());

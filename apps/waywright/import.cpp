@@ -14,12 +14,13 @@ int import(const ImportArguments& arguments) {
   if (!loaded) return complain(loaded.error());
   const Problem& problem = loaded->problem;
   std::vector<std::string> of_poses;
-  auto path = read_poses_csv(arguments.path, &of_poses);
+  std::vector<PoseSpeed> speeds;
+  auto path = read_poses_csv(arguments.path, &of_poses, &speeds);
   if (!path) return complain(path.error());
   const std::filesystem::path folder =
       arguments.out.value_or(default_folder(problem.scenario().name + "-import"));
   if (auto ready = prepare_folder(folder); !ready) return complain(ready.error());
-  Plan plan = judge_imported(problem, std::move(*path));
+  Plan plan = judge_imported(problem, std::move(*path), std::move(speeds));
   plan.timing.load = loaded->load;
   plan.timing.prepare = loaded->prepare;
   note_all(of_poses, {});

@@ -78,7 +78,9 @@ int list(const std::string& what) {
     text += line("dxf", "floor plan from CAD");
     text += line("cells", "occupancy cells inlined by run lengths");
   });
-  section("zones", [&] { text += line("(none)", "zones are not supported yet"); });
+  section("zones", [&] {
+    for (const ZoneType zone : zone_types) text += line(to_string(zone), meaning_of(zone));
+  });
   section("generators", [&] {
     text += line("station", "a docking station with random shape, shelf, clutter, vehicle and start");
     text += line("stations", "a site of docking stations: a table, and the map of their hall beside it");

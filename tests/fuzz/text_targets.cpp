@@ -170,12 +170,20 @@ std::vector<std::string> plan_seeds() {
   beside.mission = Pose{0.3, 0.0, 0.2};
   const Path path{{{Line{{0, 0}, {0.3, 0}}, 1}, {Turn{{0.3, 0}, 0.0, 0.2}, 0}}};
   const Plan holds = judge(Problem::prepare(beside).value(), path);
-  return {plan_json(every), plan_json(holds)};
+  // And one through zones of every type, on curves of every kind.
+  Scenario zoned = every.scenario;
+  zoned.zones = {{ZoneType::directed, "one way", rectangle({-1, -1}, {2, 1}), 0.4, 1.0, 1.0}, {ZoneType::speed_limit, "slow", rectangle({0.5, -1}, {1, 1}), 0.0, 1.0, 0.2},
+                 {ZoneType::penalty, "", rectangle({0, 0}, {1, 1}), 0.0, 2.0, 1.0}, {ZoneType::preferred, "", rectangle({0, 0}, {1, 1}), 0.0, 0.5, 1.0},
+                 {ZoneType::forbidden, "closed", rectangle({3, 3}, {4, 4}), 0.0, 1.0, 1.0}};
+  const Path through{{{Line{{0, 0}, {0.5, 0}}, 1}, {Clothoid{{0.5, 0, 0}, 0.0, 0.5, 0.4}, 1}, {PoseSequence{{{0.9, 0.005, 0.04}, {1.0, 0.01, 0.05}}}, 1}}};
+  const Plan through_zones = judge(Problem::prepare(zoned).value(), through);
+  return {plan_json(every), plan_json(holds), plan_json(through_zones)};
 }
 
 std::vector<std::string> poses_seeds() {
   return {
       "# poses\nx,y,heading,direction\n0,0,0,1\n1,0,0.1,1\n1,0,0.1,-1\n0.5,0,0.1,-1\n0.5,0,0.6,0\n0.5,1,0.7,1\n",
+      "x,y,heading,speed\n0,0,0,0.5\n0.5,0,0,\n1,0,0,-1e3\n",
       "yaw;X;y\n0;0;0\n0.01;1;0\n\n0.02;2;0.02\n",
   };
 }

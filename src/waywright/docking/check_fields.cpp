@@ -81,6 +81,23 @@ void check_limits(Checker& check, const Limits& limits) {
   check.number("vehicle.limits.curvature_rate", limits.curvature_rate, 0.0, most);
 }
 
+void check_zones(Checker& check, std::vector<Zone>& zones) {
+  if (zones.size() > most_zones && !check.error) check.error = InputError{"", "zones", fmt::format("there are {} zones", zones.size()), fmt::format("at most {}", most_zones)};
+  for (Zone& zone : zones) {
+    check.ring("zones.area", zone.area);
+    switch (zone.type) {
+      case ZoneType::forbidden: break;
+      case ZoneType::directed:
+        check.number("zones.direction", zone.direction, -1e6, 1e6);
+        if (!check.error) zone.direction = wrap(zone.direction);
+        break;
+      case ZoneType::preferred: check.number("zones.factor", zone.factor, least_preference, 1.0); break;
+      case ZoneType::penalty: check.number("zones.factor", zone.factor, 1.0, most_penalty); break;
+      case ZoneType::speed_limit: check.number("zones.speed", zone.speed, least_zone_speed, most_zone_speed); break;
+    }
+  }
+}
+
 void check_station(Checker& check, Station& station) {
   check.ring("station.area", station.area);
   Shelf& shelf = station.shelf;
@@ -118,6 +135,7 @@ std::optional<InputError> check_fields(Scenario& scenario) {
   check.pose("start", scenario.start);
   check.number("start.speed", scenario.start_motion.speed, -1e3, 1e3);
   check.number("start.curvature", scenario.start_motion.curvature, -1e3, 1e3);
+  check_zones(check, scenario.zones);
   check.number("clearance", scenario.clearance, 0.0, 1e3);
   check.number("pose_error.lateral", scenario.pose_error.lateral, 0.0, 1e3);
   check.number("pose_error.longitudinal", scenario.pose_error.longitudinal, 0.0, 1e3);

@@ -5,7 +5,7 @@
 #include "waywright/docking/check_fields.hpp"
 #include "waywright/optimizer/lattice_search.hpp"
 #include "waywright/planner/docking/pattern_words.hpp"
-#include "waywright/speed/speed.hpp"
+#include "waywright/speed/zone_speed.hpp"
 
 namespace waywright {
 namespace {
@@ -101,7 +101,7 @@ struct DockingSession::State {
     plan.path = solver.path();
     plan.certificate = solver.proof().certificate;
     std::swap(plan.samples, solver.samples());
-    plan.travel_time = assign_speed(plan.samples, problem.vehicle(), problem.motion() ? problem.motion()->speed : 0.0, timing);
+    plan.travel_time = assign_speed(plan.samples, problem.vehicle(), problem.motion() ? problem.motion()->speed : 0.0, timing, zone_limits(problem, plan.samples, plan.certificate.tolerance));
     plan.length = length(plan.path);
   }
 

@@ -58,7 +58,28 @@ TEST(BadScenario, EveryFieldIsRefusedWithItsSentence) {
       {"/pose_error/heading", R"(4)", R"(pose_error.heading: 4 is out of range (allowed: 0 to 3.141592653589793))"},
       {"/pose_error/sideways", R"(0.1)", R"(pose_error.sideways: unknown field (allowed: lateral, longitudinal, heading))"},
       {"/zones", R"({})", R"(zones: it is an object (allowed: an array))"},
-      {"/zones", R"([{"type":"forbidden"}])", R"(zones: it is not supported yet (allowed: an empty array))"},
+      {"/zones", R"([7])", R"(zones[0]: it is a number (allowed: an object))"},
+      {"/zones", R"([{"area":[[0,0],[1,0],[1,1]]}])", R"(zones[0].type: the field is missing (allowed: forbidden, directed, preferred, penalty, speed_limit))"},
+      {"/zones/0/type", R"("forbiden")", R"(zones[0].type: "forbiden" is not known, did you mean "forbidden"? (allowed: forbidden, directed, preferred, penalty, speed_limit))"},
+      {"/zones/0/type", R"(3)", R"(zones[0].type: it is a number (allowed: text))"},
+      {"/zones/0/name", R"(3)", R"(zones[0].name: it is a number (allowed: text))"},
+      {"/zones/0/factor", R"(3)", R"(zones[0].factor: unknown field (allowed: type, name, area))"},
+      {"/zones/0/area", R"()", R"(zones[0].area: the field is missing (allowed: an array of points [x, y]))"},
+      {"/zones/0/area", R"([[0,0],[1,1],[1,0],[0,1]])", R"(zones[0].area: edges 0 and 2 cross at (0.5, 0.5) (allowed: a simple polygon of at least 3 corners with an area))"},
+      {"/zones/0/area/1", R"([2e6,0])", R"(zones[0].area[1][0]: 2000000 is out of range (allowed: -1000000 to 1000000))"},
+      {"/zones/1/direction", R"()", R"(zones[1].direction: the field is missing (allowed: a number from -1000000 to 1000000))"},
+      {"/zones/1/direction", R"("east")", R"(zones[1].direction: it is text (allowed: a number from -1000000 to 1000000))"},
+      {"/zones/1/speed", R"(1)", R"(zones[1].speed: unknown field (allowed: type, name, area, direction))"},
+      {"/zones/2/factor", R"()", R"(zones[2].factor: the field is missing (allowed: a number from 0.01 to 1))"},
+      {"/zones/2/factor", R"(0)", R"(zones[2].factor: 0 is out of range (allowed: 0.01 to 1))"},
+      {"/zones/2/factor", R"(1)", R"(zones[2].factor: 1 changes nothing (allowed: 0.01 to under 1))"},
+      {"/zones/2/factor", R"(1.5)", R"(zones[2].factor: 1.5 is out of range (allowed: 0.01 to 1))"},
+      {"/zones/3/factor", R"(0.5)", R"(zones[3].factor: 0.5 is out of range (allowed: 1 to 1000))"},
+      {"/zones/3/factor", R"(1)", R"(zones[3].factor: 1 changes nothing (allowed: over 1, at most 1000))"},
+      {"/zones/3/factor", R"(1e9)", R"(zones[3].factor: 1000000000 is out of range (allowed: 1 to 1000))"},
+      {"/zones/4/speed", R"(0)", R"(zones[4].speed: 0 is out of range (allowed: 0.001 to 1000))"},
+      {"/zones/4/speed", R"(-1)", R"(zones[4].speed: -1 is out of range (allowed: 0.001 to 1000))"},
+      {"/zones/4/speed", R"(null)", R"(zones[4].speed: it is null (allowed: a number from 0.001 to 1000))"},
       {"/moving", R"([1])", R"(moving: it is not supported yet (allowed: an empty array))"},
       {"/budget", R"(1000)", R"(budget: it is a number (allowed: an object))"},
       {"/budget/evaluations", R"(0)", R"(budget.evaluations: 0 is out of range (allowed: 1 to 1000000000000))"},
@@ -193,6 +214,21 @@ TEST(BadScenario, EveryFieldIsRefusedWithItsSentence) {
     EXPECT_EQ(sentence_of(changed(full_scenario, field).dump()),
               (other_file ? "" : "s.json: ") + std::string{field.sentence});
   }
+}
+
+TEST(BadScenario, ZonesAreBoundedInNumberAndCorners) {
+  Json scenario = Json::parse(least_scenario);
+  const Json zone = Json::parse(R"({"type": "forbidden", "area": [[5,5],[6,5],[6,6]]})");
+  scenario["zones"] = Json::array();
+  for (int i = 0; i < 1000; ++i) scenario["zones"].push_back(zone);
+  EXPECT_EQ(sentence_of(scenario.dump()), "accepted");
+  scenario["zones"].push_back(zone);
+  EXPECT_EQ(sentence_of(scenario.dump()), "s.json: zones: there are 1001 zones (allowed: at most 1000)");
+  Json area = Json::array();
+  for (int i = 0; i < 1001; ++i) area.push_back({i, i * i * 1e-3});
+  scenario["zones"] = Json::array({zone});
+  scenario["zones"][0]["area"] = area;
+  EXPECT_EQ(sentence_of(scenario.dump()), "s.json: zones[0].area: the polygon has 1001 corners (allowed: at most 1000)");
 }
 
 TEST(BadScenario, MissionsThatComeLaterAreNamed) {

@@ -7,6 +7,7 @@
 
 #include "waywright/core/result.hpp"
 #include "waywright/judge/plan.hpp"
+#include "waywright/judge/zone_speeds.hpp"
 
 namespace waywright {
 
@@ -20,8 +21,8 @@ Parsed<Plan> parse_plan(const std::string& text, const std::string& name);
 /// Poses from a CSV file with a header that names x, y, heading and optionally direction (m, m, rad, ±1; any order, comma,
 /// semicolon or tab; lines that begin with # skipped), as pieces of straight-interpolated poses, one per run of equal
 /// direction. A missing direction is found from the motion. A heading column whose name ends in _deg is in degrees. `notes`, where given, gets a
-/// sentence where headings in radians look like degrees.
-Parsed<Path> read_poses_csv(const std::filesystem::path& file, std::vector<std::string>* notes = nullptr);
-Parsed<Path> parse_poses_csv(const std::string& text, const std::string& name, std::vector<std::string>* notes = nullptr);
+/// sentence where headings in radians look like degrees. `speeds`, where given, gets the rows that tell one in a column `speed` (m/s).
+Parsed<Path> read_poses_csv(const std::filesystem::path& file, std::vector<std::string>* notes = nullptr, std::vector<PoseSpeed>* speeds = nullptr);
+Parsed<Path> parse_poses_csv(const std::string& text, const std::string& name, std::vector<std::string>* notes = nullptr, std::vector<PoseSpeed>* speeds = nullptr);
 
 }  // namespace waywright

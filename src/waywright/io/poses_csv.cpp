@@ -24,10 +24,11 @@ constexpr double same_heading = 1e-9;          // rad
 struct Row {
   Pose pose;
   std::optional<int> direction;  ///< 1, −1 or 0; absent where the file has no such column
+  std::optional<double> speed{};  ///< m/s
 };
 
-enum Column { x_column, y_column, heading_column, direction_column, columns };
-constexpr std::array<const char*, columns> column_names{"x", "y", "heading", "direction"};
+enum Column { x_column, y_column, heading_column, direction_column, speed_column, columns };
+constexpr std::array<const char*, columns> column_names{"x", "y", "heading", "direction", "speed"};
 
 struct Named {
   Column column;
@@ -39,6 +40,7 @@ std::optional<Named> column_of(std::string name) {
   if (name == "x") return Named{x_column};
   if (name == "y") return Named{y_column};
   if (name == "direction" || name == "dir" || name == "gear") return Named{direction_column};
+  if (name == "speed") return Named{speed_column};
   constexpr std::string_view degrees = "_deg";
   const bool in_degrees = name.size() > degrees.size() && name.ends_with(degrees);
   if (in_degrees) name.resize(name.size() - degrees.size());
@@ -85,10 +87,11 @@ class PosesReader {
 
   void read_row(const std::vector<std::string>& cells) {
     std::array<double, columns> values{};
-    for (const Column column : {x_column, y_column, heading_column, direction_column}) {
+    for (const Column column : {x_column, y_column, heading_column, direction_column, speed_column}) {
       if (!where_[column]) continue;
       const char* name = column_names[column];
       const std::string& cell = cells[*where_[column]];
+      if (column == speed_column && cell.empty()) continue;  // not told
       if (cell.empty()) return refuse(fmt::format("{} is missing", name), "a number");
       const auto value = csv_number(cell);
       if (!value) return refuse(fmt::format("{} is \"{}\"", name, shortened(cell)), "a finite number");
@@ -106,6 +109,7 @@ class PosesReader {
       if (d != 1.0 && d != -1.0 && d != 0.0) return refuse(fmt::format("direction is {}", d), "1, -1, 0");
       row.direction = static_cast<int>(d);
     }
+    if (where_[speed_column] && !cells[*where_[speed_column]].empty()) row.speed = values[speed_column];
     rows_.push_back(row);
   }
 
@@ -136,11 +140,16 @@ int direction_of(const Row& from, const Row& to) {
 
 }  // namespace
 
-Parsed<Path> parse_poses_csv(const std::string& text, const std::string& name, std::vector<std::string>* notes) {
+Parsed<Path> parse_poses_csv(const std::string& text, const std::string& name, std::vector<std::string>* notes, std::vector<PoseSpeed>* speeds) {
   PosesReader reader{name};
   const auto rows = reader.read(text);
   if (!rows) return tl::unexpected{rows.error()};
   if (std::string doubt = reader.doubt(); notes != nullptr && !doubt.empty()) notes->push_back(std::filesystem::path{name}.filename().string() + ": " + std::move(doubt));
+  if (speeds != nullptr) {
+    for (const Row& row : *rows) {
+      if (row.speed) speeds->push_back({row.pose, *row.speed});
+    }
+  }
   Path path;
   Row at = rows->empty() ? Row{} : rows->front();  // where the path has come to
   bool stopped = false;                            // there, by a pose that stands twice
@@ -177,10 +186,10 @@ Parsed<Path> parse_poses_csv(const std::string& text, const std::string& name, s
   return path;
 }
 
-Parsed<Path> read_poses_csv(const std::filesystem::path& file, std::vector<std::string>* notes) {
+Parsed<Path> read_poses_csv(const std::filesystem::path& file, std::vector<std::string>* notes, std::vector<PoseSpeed>* speeds) {
   auto text = read_file(file, largest_csv);
   if (!text) return tl::unexpected{text.error()};
-  return parse_poses_csv(*text, file.string(), notes);
+  return parse_poses_csv(*text, file.string(), notes, speeds);
 }
 
 }  // namespace waywright

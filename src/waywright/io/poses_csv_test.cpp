@@ -51,6 +51,17 @@ TEST(PosesCsv, DirectionIsFoundFromTheMotion) {
       << "along the shorter arc, through pi";
 }
 
+TEST(PosesCsv, SpeedsAreGivenWhereTheFileTellsThem) {
+  std::vector<PoseSpeed> speeds;
+  ASSERT_TRUE(parse_poses_csv("x,y,heading,Speed\n0,0,0,\n1,0,0,0.7\n2,0,0,-0.2\n", "p.csv", nullptr, &speeds));
+  ASSERT_EQ(speeds.size(), 2U);
+  EXPECT_EQ(speeds[0].pose, (Pose{1, 0, 0}));
+  EXPECT_EQ(speeds[0].speed, 0.7);
+  EXPECT_EQ(speeds[1].speed, -0.2);
+  EXPECT_EQ(sentence_of("x,y,heading,speed\n0,0,0,fast\n1,0,0,1\n"), "p.csv: line 2: speed is \"fast\" (allowed: a finite number)");
+  EXPECT_EQ(sentence_of("x,y,heading,speed,speed\n0,0,0,1,1\n1,0,0,1,1\n"), "p.csv: line 1: the header names two columns for speed (allowed: one)");
+}
+
 TEST(PosesCsv, DirectionOfTheFileIsKept) {
   const auto pieces = pieces_of("x,y,heading,direction\n0,0,0,-1\n0.5,0,0,-1\n");
   EXPECT_EQ(pieces[0].direction, -1) << "for the proof to find fault with";

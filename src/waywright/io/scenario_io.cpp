@@ -11,6 +11,7 @@
 #include "waywright/io/map_json.hpp"
 #include "waywright/io/scenario_json.hpp"
 #include "waywright/io/vehicle_io.hpp"
+#include "waywright/io/zones_json.hpp"
 
 namespace waywright {
 namespace {
@@ -261,7 +262,7 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder, const Site
   if (node.has("carried_load")) scenario.carried_load = node.at("carried_load").text();
   if (node.has("clearance")) scenario.clearance = node.at("clearance").number(0.0, 1e3);
   if (node.has("pose_error")) scenario.pose_error = read_pose_error(node.at("pose_error"));
-  not_yet(node, "zones");
+  if (node.has("zones")) scenario.zones = read_zones(node.at("zones"), notes);
   not_yet(node, "moving");
   if (node.has("budget")) scenario.budget = read_budget(node.at("budget"));
   if (!scenario.waypoints.empty()) scenario.planner.name = planner_through_waypoints;
@@ -346,7 +347,7 @@ Json scenario_to_json(const Scenario& scenario) {
   j["pose_error"] = {{"lateral", scenario.pose_error.lateral},
                      {"longitudinal", scenario.pose_error.longitudinal},
                      {"heading", scenario.pose_error.heading}};
-  j["zones"] = Json::array();
+  j["zones"] = zones_to_json(scenario.zones);
   j["budget"] = budget_to_json(scenario.budget);
   j["planner"] = parameters_to_json(scenario.planner.parameters, &scenario.planner.name);
   j["seed"] = scenario.seed;

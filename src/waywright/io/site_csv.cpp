@@ -22,7 +22,7 @@ constexpr std::size_t most_rows = 100'000;
 constexpr std::size_t most_steps = 6;  // of a column's dotted name
 constexpr const char* known_columns =
     "name, start_x, start_y, start_heading, goal_x, goal_y, goal_heading, shelf_x, shelf_y, shelf_heading, shelf_depth, shelf_width, gap, slot, "
-    "area, waypoints, clearance, planner, seed, carried_load, and dotted names of scenario.json such as station.manoeuvre";
+    "area, waypoints, clearance, planner, seed, carried_load, zones, and dotted names of scenario.json such as station.manoeuvre";
 
 /// Columns with names of their own, and the field of scenario.json that each fills.
 struct Known {
@@ -55,7 +55,7 @@ constexpr Known known[] = {
 };
 /// Fields of scenario.json that a dotted name may begin with, and those that stand alone.
 constexpr std::array<std::string_view, 5> openings{"station", "pose_error", "budget", "planner", "meta"};
-constexpr std::array<std::string_view, 2> alone{"seed", "carried_load"};
+constexpr std::array<std::string_view, 3> alone{"seed", "carried_load", "zones"};
 /// Arrays that are made of several columns, with what each element is called.
 struct Group {
   const char* path;

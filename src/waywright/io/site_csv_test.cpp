@@ -58,6 +58,18 @@ TEST(SiteCsv, RowsAreScenarios) {
   EXPECT_EQ((*rows)[2].scenario.planner.name, "pattern_docking");
 }
 
+TEST(SiteCsv, ZonesStandInACellAsJson) {
+  const std::string header = "name;start_x;start_y;start_heading;goal_x;goal_y;goal_heading;zones\n";
+  const auto rows = rows_of(header + "A;0;0;0;1;0;0;[{\"type\": \"speed_limit\", \"area\": [[0,0],[1,0],[1,1]], \"speed\": 0.4}]\nB;0;0;0;1;0;0;\n");
+  ASSERT_TRUE(rows) << rows.error().message();
+  ASSERT_EQ((*rows)[0].scenario.zones.size(), 1U);
+  EXPECT_EQ((*rows)[0].scenario.zones[0].speed, 0.4);
+  EXPECT_TRUE((*rows)[1].scenario.zones.empty());
+  const std::string refused = refusal(header + "A;0;0;0;1;0;0;[{\"type\": \"speed_limit\", \"area\": [[0,0],[1,0],[1,1]], \"speed\": 0}]\n");
+  EXPECT_NE(refused.find("0 is out of range (allowed: 0.001 to 1000)"), std::string::npos) << refused;
+  EXPECT_NE(refused.find("zones"), std::string::npos) << refused;
+}
+
 TEST(SiteCsv, DefaultsAreForRowsThatSayNothing) {
   SiteDefaults defaults{0.04, "ompl_rrt_connect", 5};
   const auto rows = rows_of("name,start_x,start_y,start_heading,goal_x,goal_y,goal_heading,clearance,planner,seed\nA,0,0,0,1,0,0,,,\nB,0,0,0,1,0,0,0,pattern_docking,6\n", defaults);

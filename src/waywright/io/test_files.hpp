@@ -60,7 +60,10 @@ inline const char* const full_scenario = R"({
   "start": {"pose": [2, 8, 7.0], "speed": 0, "curvature": 0.0},
   "station": {"area": [[1,1],[11,1],[11,9],[1,9]], "manoeuvre": "dock",
               "shelf": {"center": [10.0, 5.0], "heading": -3.14159, "size": [1.0, 2.0], "gap": 0.12, "slot": -0.3}},
-  "clearance": 0.05, "pose_error": {"lateral": 0.01, "longitudinal": 0.02, "heading": 0.005}, "zones": [], "moving": [],
+  "clearance": 0.05, "pose_error": {"lateral": 0.01, "longitudinal": 0.02, "heading": 0.005}, "moving": [],
+  "zones": [{"type": "forbidden", "name": "charging \u00e4", "area": [[1,1],[2,1],[2,2],[1,2]]}, {"type": "directed", "area": [[3,1],[4,1],[4,2]], "direction": 7.0},
+            {"type": "preferred", "area": [[5,1],[6,1],[6,2]], "factor": 0.30000000000000004}, {"type": "penalty", "area": [[7,1],[8,1],[8,2]], "factor": 12.5},
+            {"type": "speed_limit", "name": "crossing", "area": [[9,1],[10,1],[10,2]], "speed": 0.4}],
   "budget": {"evaluations": 1000, "expansions": 2e3, "samples": 3000, "seconds": 12.5},
   "planner": {"name": "pattern_docking", "optimizer": "de", "population": 20, "polish": true, "weight": 0.1}, "seed": 9223372036854775807
 })";
@@ -130,7 +133,9 @@ class Fingerprint {
       std::visit([this](const auto& v) { add(v); }, value);
     }
   }
+  void add(const Zone& z) { add_all(static_cast<int>(z.type), z.name, z.area, z.direction, z.factor, z.speed); }
   void add(const Scenario& s) {
+    add(s.zones);
     add_all(s.name, s.meta, s.map, s.map_source, s.vehicle, s.start);
     if (const auto* station = std::get_if<Station>(&s.mission)) {
       const Shelf& f = station->shelf;

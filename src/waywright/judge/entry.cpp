@@ -11,12 +11,12 @@ constexpr double estimated = 0.1;  // 1/m, of the curvature of poses from outsid
 
 }  // namespace
 
-bool can_be_entered(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace) {
+bool can_be_entered(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace, const LimitsAlong& along) {
   const auto& motion = problem.motion();
-  return !motion || can_start_with(samples, problem.vehicle(), motion->speed, workspace);
+  return !motion || can_start_with(samples, problem.vehicle(), motion->speed, workspace, along);
 }
 
-std::optional<Violation> check_entry(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace) {
+std::optional<Violation> check_entry(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace, const LimitsAlong& along) {
   const auto& motion = problem.motion();
   const Vehicle& vehicle = problem.vehicle();
   if (motion && vehicle.stands_at_curvature_jumps() && std::abs(samples.front().curvature - motion->curvature) > estimated) {
@@ -24,9 +24,9 @@ std::optional<Violation> check_entry(const Problem& problem, const std::vector<S
                                  motion->curvature, samples.front().curvature),
                      problem.first_pose()};
   }
-  if (can_be_entered(problem, samples, workspace)) return std::nullopt;
+  if (can_be_entered(problem, samples, workspace, along)) return std::nullopt;
   return Violation{fmt::format("the vehicle begins at {:.4g} m/s, and the path can surely be driven within the vehicle's limits from up to {:.4g} m/s only",
-                               motion->speed, greatest_start_speed(samples, vehicle, workspace)),
+                               motion->speed, greatest_start_speed(samples, vehicle, workspace, along)),
                    problem.first_pose()};
 }
 

@@ -10,10 +10,10 @@
 namespace waywright {
 
 /// True where the vehicle stands, or every limit can be kept along the samples from the speed that it has.
-bool can_be_entered(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace);
+bool can_be_entered(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace, const LimitsAlong& along = {});
 
 /// The same in words, and for poses from outside whether they begin with about the vehicle's curvature. @pre samples of a path that was found
 /// to begin at the vehicle's pose in its direction
-std::optional<Violation> check_entry(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace);
+std::optional<Violation> check_entry(const Problem& problem, const std::vector<Sample>& samples, SpeedWorkspace& workspace, const LimitsAlong& along = {});
 
 }  // namespace waywright

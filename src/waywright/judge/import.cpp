@@ -85,13 +85,14 @@ std::string separate_pocket_stretch(const Problem& problem, Path& path) {
 
 }  // namespace
 
-Plan judge_imported(const Problem& problem, Path path) {
+Plan judge_imported(const Problem& problem, Path path, std::vector<PoseSpeed> speeds) {
   std::vector<std::string> explanation{
       "Imported poses, taken as joined by straight interpolation of position and heading; what the vehicle does between them is "
       "proven for that motion."};
   const Pose& control = problem.vehicle().control_point;
   if (control != Pose{}) {
     for_each_pose(path, [&](Pose& p) { p = origin_of(p, control); });
+    for (PoseSpeed& s : speeds) s.pose = origin_of(s.pose, control);
     explanation.emplace_back("The file's poses are those of the control point; they were brought to the vehicle's origin.");
   }
   const std::string pocket_said = problem.pocket() ? separate_pocket_stretch(problem, path) : std::string{};
@@ -105,6 +106,10 @@ Plan judge_imported(const Problem& problem, Path path) {
   if (auto ends = problem.check_ends(); ends && plan.status == Status::solved) {
     plan.status = ends->status;
     plan.reason = ends->reason;
+  }
+  if (auto too_fast = check_zone_speeds(problem, speeds)) {
+    if (plan.status == Status::solved) plan.status = Status::unproven;
+    plan.reason += (plan.reason.empty() ? "" : "; ") + *too_fast;
   }
   plan.explanation = std::move(explanation);
   return plan;

@@ -7,7 +7,7 @@
 #include "waywright/map/clearance_along.hpp"
 #include "waywright/metrics/metrics.hpp"
 #include "waywright/proof/limits.hpp"
-#include "waywright/speed/speed.hpp"
+#include "waywright/speed/zone_speed.hpp"
 
 namespace waywright {
 namespace {
@@ -75,11 +75,12 @@ Plan judge(const Problem& problem, Path path, const std::atomic<bool>* cancel) {
   plan.samples = sample(plan.path, problem.footprint().radius(), proof.certificate.tolerance);
   const auto& motion = problem.motion();
   SpeedWorkspace timing;
-  if (auto violation = check_entry(problem, plan.samples, timing)) {
+  const LimitsAlong along = zone_limits(problem, plan.samples, proof.certificate.tolerance);
+  if (auto violation = check_entry(problem, plan.samples, timing, along)) {
     plan.status = Status::unproven;
     plan.reason += (plan.reason.empty() ? "" : "; ") + violation->sentence;
   }
-  assign_speed(plan.samples, vehicle, motion ? motion->speed : 0.0, timing);
+  assign_speed(plan.samples, vehicle, motion ? motion->speed : 0.0, timing, along);
   plan.metrics = measure(plan.path, plan.samples, clearances_along(problem, plan.path, plan.samples));
   return plan;
 }

@@ -3,6 +3,7 @@
 
 #include "waywright/judge/claims.hpp"
 #include "waywright/judge/judge.hpp"
+#include "waywright/judge/zone_speeds.hpp"
 
 namespace waywright {
 
@@ -30,6 +31,11 @@ Parsed<Verification> verify(const Plan& plan) {
     findings.push_back(fmt::format("the plan says that it is {}, though its path can be proven", to_string(plan.status)));
   }
   if (!fresh.samples.empty()) {
+    std::vector<PoseSpeed> speeds;
+    if (problem->zones().limits_speed()) {
+      for (const Sample& s : plan.samples) speeds.push_back({s.pose(), s.speed});
+    }
+    if (auto too_fast = check_zone_speeds(*problem, speeds)) findings.push_back(std::move(*too_fast));
     check_claimed_samples(plan.samples, fresh.samples, problem->vehicle(), problem->footprint().radius(), fresh.certificate.tolerance, findings);
     check_claimed_metrics(plan, fresh, findings);
   }

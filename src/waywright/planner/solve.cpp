@@ -50,6 +50,8 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
     plan.explanation = std::move(result.error().explanation);
     plan.alternatives = std::move(result.error().alternatives);
   }
+  const bool heeds_zones = description->heeds_zones && description->heeds_zones(*parameters);
+  if (std::string sentence = unheeded_zones_sentence(problem, description->name, heeds_zones); !sentence.empty()) plan.explanation.push_back(std::move(sentence));
   plan.timing.prepare = prepared_in;
   plan.timing.plan = planned_in;
   plan.effort.evaluations = budget.evaluations();

@@ -19,6 +19,14 @@ std::string proof_sentence(const Problem& problem, const Plan& plan) {
   return text + ".";
 }
 
+std::string unheeded_zones_sentence(const Problem& problem, const std::string& planner, bool heeds_zones) {
+  const ZoneRules& zones = problem.zones();
+  if (heeds_zones || (!zones.directs() && !zones.weighs())) return {};
+  if (!zones.directs()) return planner + " does not weigh preferred and penalty zones.";
+  if (!zones.weighs()) return planner + " does not look at the direction of directed zones while it plans; the proof does.";
+  return planner + " does not weigh preferred and penalty zones, and does not look at the direction of directed ones while it plans; the proof does.";
+}
+
 std::string stop_sentence(const Problem& problem) {
   const EntryMotion& motion = *problem.motion();
   return fmt::format("The vehicle moves {} at {:.2f} m/s when the plan begins: its path begins with the {:.2f} m in which it can stop with the curvature that it has "

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "waywright/proof/collision.hpp"
+#include "waywright/proof/directions.hpp"
 #include "waywright/proof/limits.hpp"
 #include "waywright/proof/passing.hpp"
 
@@ -117,6 +118,7 @@ Proof prove(const Problem& problem, const Path& path, const ProofOptions& option
 
   Motion& motion = state.motion;
   motion.assign(path);
+  append(proof.violations, check_directions(problem, path, motion, options));  // first: a reason names a few violations only, and these are about what was asked
   append(proof.violations, check_continuity(problem, path, motion, options));
   append(proof.violations, check_limits(problem.vehicle(), path, motion));
   append(proof.violations, check_waypoints(problem, motion, options));

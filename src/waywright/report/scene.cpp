@@ -8,6 +8,7 @@
 
 #include "waywright/geometry/polygon.hpp"
 #include "waywright/report/scene_parts.hpp"
+#include "waywright/report/scene_zones.hpp"
 #include "waywright/report/spots.hpp"
 #include "waywright/report/words.hpp"
 
@@ -75,8 +76,10 @@ class Scene {
 
   void draw() {
     open_map(svg_, canvas_);
+    draw_zone_areas(svg_, problem_.scenario().zones);
     draw_zones();
     numbered_ = draw_map(svg_, problem_.scenario(), canvas_.region);
+    draw_zone_names(svg_, problem_.scenario().zones, canvas_.region);
     draw_sweep(svg_, problem_.footprint(), plan_.samples);
     draw_alternatives();
     draw_path(svg_, plan_.samples);
@@ -94,6 +97,7 @@ class Scene {
   /// Without what only a large picture can show.
   void draw_small() {
     open_map(svg_, canvas_);
+    draw_zone_areas(svg_, problem_.scenario().zones);
     draw_map(svg_, problem_.scenario(), canvas_.region, false);
     draw_sweep(svg_, problem_.footprint(), plan_.samples);
     draw_path(svg_, plan_.samples);
@@ -132,6 +136,7 @@ class Scene {
       if (station->insertion) entries.push_back({"pocket", Shape::box, "pocket"});
       entries.push_back({"area", Shape::line, "station"});
     }
+    for (LegendEntry& entry : zone_legend(problem_.scenario().zones)) entries.push_back(std::move(entry));
     if (zones_) entries.push_back({"zone", Shape::box, "where the change of direction was searched"});
     if (others_)
       entries.push_back(
@@ -304,7 +309,9 @@ std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std:
   const Canvas canvas = canvas_for(problem, all, width);
   SvgWriter svg{canvas.view};
   open_map(svg, canvas);
+  draw_zone_areas(svg, scenario.zones);
   draw_map(svg, scenario, canvas.region);
+  draw_zone_names(svg, scenario.zones, canvas.region);
   std::string legend;
   double y = canvas.height + 40.0;
   for (std::size_t i = 0; i < plans.size(); ++i) {

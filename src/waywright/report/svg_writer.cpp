@@ -120,6 +120,7 @@ constexpr Colour colours[] = {
     {"grid", "#e3e7eb", "#2a3138"}, {"wall", "#39424c", "#b9c3cd"},    {"solid", "#9aa5b1", "#5b6671"},
     {"cell", "#59636e", "#8f9aa6"}, {"unknown", "#c9d0d7", "#343c45"}, {"fwd", "#0072b2", "#56b4e9"},
     {"back", "#d55e00", "#f0a04b"}, {"zone", "#009e73", "#2fc79b"},    {"shelf", "#cc79a7", "#d99bbd"},
+    {"dear", "#e69f00", "#e0a83a"}, {"slow", "#8a7300", "#e8d44d"},
     {"bad", "#b00020", "#ff8a8a"},  {"alt", "#7a828a", "#8b949d"},
 };
 
@@ -131,6 +132,10 @@ constexpr std::string_view rules = R"(
 .ww .placed{fill:var(--fwd);fill-opacity:.2;stroke:var(--fwd);stroke-width:1.4}.ww .placedline{fill:none;stroke:var(--fwd);stroke-width:1.4}.ww .placedbound{fill:none;stroke:var(--zone);stroke-width:2;stroke-dasharray:9 4}
 .ww .shelf{fill:var(--shelf);fill-opacity:.45;stroke:var(--shelf);stroke-width:1.5}.ww .face{stroke:var(--shelf);stroke-width:5}.ww .pocket{fill:var(--paper);stroke:var(--shelf);stroke-width:1;stroke-dasharray:3 2}
 .ww .zone{fill:var(--zone);fill-opacity:.10;stroke:var(--zone);stroke-width:1;stroke-dasharray:3 3}
+.ww .zoneforbidden{fill:url(#zonehatch);stroke:var(--bad);stroke-width:1.5}.ww .zonehatchline{fill:var(--bad);fill-opacity:.35}
+.ww .zonedirected{fill:var(--soft);fill-opacity:.10;stroke:var(--soft);stroke-width:1}.ww .zonearrow{stroke:var(--soft);stroke-width:2}.ww .zonearrowhead{fill:var(--soft)}
+.ww .zonepreferred{fill:var(--zone);fill-opacity:.14;stroke:var(--zone);stroke-width:1}.ww .zonepenalty{fill:var(--dear);fill-opacity:.20;stroke:var(--dear);stroke-width:1}
+.ww .zonespeed{fill:var(--slow);fill-opacity:.10;stroke:var(--slow);stroke-width:1.5;stroke-dasharray:8 3}
 .ww .sweep{fill:var(--fwd);fill-opacity:.14;stroke:none}.ww .ghost{fill:none;stroke:var(--soft);stroke-width:.6;stroke-opacity:.55}
 .ww .vehicle{fill:var(--paper);fill-opacity:.5;stroke:var(--ink);stroke-width:1.6}.ww .heading{stroke:var(--ink);stroke-width:1.6;fill:none}
 .ww .fwd{fill:none;stroke:var(--fwd);stroke-width:3}.ww .back{fill:none;stroke:var(--back);stroke-width:3}

@@ -13,6 +13,19 @@
 namespace waywright {
 namespace {
 
+constexpr std::size_t most_zone_rows = 30;
+
+std::string zone_words(const Zone& zone) {
+  switch (zone.type) {
+    case ZoneType::forbidden: return "forbidden";
+    case ZoneType::directed: return fmt::format("one way, {:.1f}°", zone.direction * 180.0 / pi);
+    case ZoneType::preferred: return fmt::format("preferred, a metre costs {:g} m", zone.factor);
+    case ZoneType::penalty: return fmt::format("penalty, a metre costs {:g} m", zone.factor);
+    case ZoneType::speed_limit: return fmt::format("at most {:g} m/s", zone.speed);
+  }
+  return "";
+}
+
 struct Row {
   std::string name, value, remark;
 };
@@ -188,6 +201,8 @@ std::string scenario_table(const Problem& problem, const Plan& plan) {
   if (s.map.alignment && !s.map.alignment->residuals.empty()) {
     rows.push_back({"Alignment residuals", residual_words(*s.map.alignment), ""});
   }
+  for (std::size_t i = 0; i < s.zones.size() && i < most_zone_rows; ++i) rows.push_back({i == 0 ? "Zones" : "", title_of(s.zones[i], i), zone_words(s.zones[i])});
+  if (s.zones.size() > most_zone_rows) rows.push_back({"", fmt::format("and {} more", s.zones.size() - most_zone_rows), ""});
   for (const std::string& note : s.map.notes) rows.push_back({"Noted", note, ""});
   return table(rows);
 }

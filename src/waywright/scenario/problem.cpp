@@ -195,6 +195,10 @@ Parsed<Problem> Problem::prepare(Scenario scenario, const World* of_map) {
   } else {
     problem.goal_ = std::get<Pose>(given.mission);
   }
+  for (std::size_t i = 0; i < given.zones.size(); ++i) {
+    if (given.zones[i].type == ZoneType::forbidden) problem.world_.add_obstacle(given.zones[i].area, title_of(given.zones[i], i));
+  }
+  problem.zones_ = ZoneRules{given.zones};
   if (auto error = problem.set_motion()) return tl::unexpected{*error};
   if (auto error = problem.check_waypoints()) return tl::unexpected{*error};
   problem.world_.build();

@@ -8,6 +8,7 @@
 #include "waywright/path/path.hpp"
 #include "waywright/scenario/pocket.hpp"
 #include "waywright/scenario/scenario.hpp"
+#include "waywright/scenario/zone_rules.hpp"
 
 namespace waywright {
 
@@ -28,6 +29,8 @@ class Problem {
   const Scenario& scenario() const { return scenario_; }
   const Vehicle& vehicle() const { return scenario_.vehicle; }
   const World& world() const { return world_; }
+  /// The scenario's zones; those that are forbidden are obstacles of the world.
+  const ZoneRules& zones() const { return zones_; }
   /// What drives: the vehicle's footprint, with its load where it carries one.
   const Footprint& footprint() const { return footprint_; }
 
@@ -89,6 +92,7 @@ class Problem {
   std::optional<Piece> stopping_;
   Pose rest_{};
   World world_;
+  ZoneRules zones_;
   Pose goal_{};
   double pose_error_margin_ = 0.0;
 };

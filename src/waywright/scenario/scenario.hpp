@@ -9,6 +9,7 @@
 
 #include "waywright/core/budget.hpp"
 #include "waywright/map/map.hpp"
+#include "waywright/scenario/zone.hpp"
 #include "waywright/vehicle/vehicle.hpp"
 
 namespace waywright {
@@ -88,6 +89,7 @@ struct Scenario {
   std::string carried_load;  ///< name of the vehicle's load that is carried all the way; empty: none
   double clearance = 0.0;  ///< m, ≥ 0, kept from everything by the whole footprint
   PoseError pose_error;
+  std::vector<Zone> zones;
   BudgetLimits budget;
   PlannerChoice planner;
   std::uint64_t seed = 1;

@@ -100,8 +100,8 @@ struct Interval {
 class Profile {
  public:
   /// The first sample is passed with `start_speed` where it can be, else with the greatest speed with which it can.
-  Profile(const std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed, SpeedWorkspace& workspace)
-      : samples_{samples}, vehicle_{vehicle}, limits_{vehicle.limits}, steps_{workspace.steps}, caps_{workspace.caps}, w_{workspace.squares} {
+  Profile(const std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed, SpeedWorkspace& workspace, const LimitsAlong& along)
+      : samples_{samples}, vehicle_{vehicle}, limits_{vehicle.limits}, along_{along}, steps_{workspace.steps}, caps_{workspace.caps}, w_{workspace.squares} {
     const std::size_t n = samples.size();
     steps_.clear();
     caps_.assign(n, infinity);
@@ -111,6 +111,7 @@ class Profile {
       const Sample& a = samples[i];
       const Sample& b = samples[i + 1];
       steps_.push_back(make_step(a, b, vehicle));
+      if (!along.steps.empty()) steps_.back().top = std::min(steps_.back().top, square(along.steps[i]));
       const double cap = must_stand(a, b, vehicle) ? 0.0 : steps_.back().top;
       for (const std::size_t k : {i, i + 1}) caps_[k] = std::min(caps_[k], cap);
     }
@@ -183,7 +184,7 @@ class Profile {
     }
     std::size_t met = 0;
     for (double v = w; v > w_[met] * (1.0 + rounding); ++met) {
-      if (met + 1 == w_.size() || caps_[met] == 0.0 || v > cap_at(samples_[met], samples_[met].direction, vehicle_) * (1.0 + (met == 0 ? measured : rounding))) return false;
+      if (met + 1 == w_.size() || caps_[met] == 0.0 || v > own_cap(met) * (1.0 + (met == 0 ? measured : rounding))) return false;
       v = braked(met, v);
       if (v < 0.0) return false;
     }
@@ -193,6 +194,11 @@ class Profile {
       w = next;
     }
     return true;
+  }
+  /// m²/s², what a sample allows by itself.
+  double own_cap(std::size_t i) const {
+    const double cap = cap_at(samples_[i], samples_[i].direction, vehicle_);
+    return along_.samples.empty() ? cap : std::min(cap, square(along_.samples[i]));
   }
   /// w at the end of step i, braked as hard as may be; negative where the limits leave no acceleration.
   double braked(std::size_t i, double w) const {
@@ -221,6 +227,7 @@ class Profile {
   const std::vector<Sample>& samples_;
   const Vehicle& vehicle_;
   const Limits& limits_;
+  const LimitsAlong& along_;
   std::vector<SpeedStep>& steps_;
   std::vector<double>& caps_;
   std::vector<double>& w_;
@@ -292,9 +299,9 @@ double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double
   return assign_speed(samples, vehicle, start_speed, workspace);
 }
 
-double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed, SpeedWorkspace& workspace) {
+double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed, SpeedWorkspace& workspace, const LimitsAlong& along) {
   if (samples.empty()) return 0.0;
-  Profile profile{samples, vehicle, start_speed, workspace};
+  Profile profile{samples, vehicle, start_speed, workspace, along};
   const std::vector<double>& w = profile.fastest();
   const std::vector<SpeedStep>& steps = workspace.steps;
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i].speed = std::sqrt(w[i]);
@@ -317,13 +324,13 @@ double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double
   return samples.back().t;
 }
 
-double greatest_start_speed(const std::vector<Sample>& samples, const Vehicle& vehicle, SpeedWorkspace& workspace) {
+double greatest_start_speed(const std::vector<Sample>& samples, const Vehicle& vehicle, SpeedWorkspace& workspace, const LimitsAlong& along) {
   if (samples.empty()) return 0.0;
-  return std::sqrt(Profile{samples, vehicle, infinity, workspace}.start());
+  return std::sqrt(Profile{samples, vehicle, infinity, workspace, along}.start());
 }
 
-bool can_start_with(const std::vector<Sample>& samples, const Vehicle& vehicle, double speed, SpeedWorkspace& workspace) {
-  return !samples.empty() && Profile{samples, vehicle, speed, workspace}.starts_as_wanted();
+bool can_start_with(const std::vector<Sample>& samples, const Vehicle& vehicle, double speed, SpeedWorkspace& workspace, const LimitsAlong& along) {
+  return !samples.empty() && Profile{samples, vehicle, speed, workspace, along}.starts_as_wanted();
 }
 
 void SpeedWorkspace::reserve(std::size_t samples) {

@@ -26,6 +26,12 @@ namespace waywright {
 /// @pre s never decreases; limits > 0
 double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed = 0.0);
 
+/// What holds along a path beside the vehicle's limits: greatest speeds in m/s, +∞ where there is none. `steps[i]` between samples i and
+/// i + 1; `samples[i]` at sample i alone, at least that of the steps beside it. Both empty: nothing.
+struct LimitsAlong {
+  std::vector<double> steps, samples;
+};
+
 /// What holds along one step between samples, whichever of its two ends is worse; so it holds between them too.
 struct SpeedStep {
   double length = 0.0;  ///< m; 0: both samples are at one place
@@ -43,14 +49,14 @@ struct SpeedWorkspace {
   /// For so many samples nothing is allocated.
   void reserve(std::size_t samples);
 };
-double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed, SpeedWorkspace& workspace);
+double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed, SpeedWorkspace& workspace, const LimitsAlong& along = {});
 
 /// Can the first sample be passed with this speed (m/s, > 0) so that the rest keeps all limits? 0.1 % too fast is allowed for, since speeds are
 /// measured: the profile then begins that much slower.
-bool can_start_with(const std::vector<Sample>& samples, const Vehicle& vehicle, double speed, SpeedWorkspace& workspace);
+bool can_start_with(const std::vector<Sample>& samples, const Vehicle& vehicle, double speed, SpeedWorkspace& workspace, const LimitsAlong& along = {});
 
 /// Greatest speed in m/s with which the first sample can surely be passed so: that of the profile. 0 where the vehicle must stand there.
-double greatest_start_speed(const std::vector<Sample>& samples, const Vehicle& vehicle, SpeedWorkspace& workspace);
+double greatest_start_speed(const std::vector<Sample>& samples, const Vehicle& vehicle, SpeedWorkspace& workspace, const LimitsAlong& along = {});
 
 /// s that a step takes at least which begins and ends at rest and moves between.
 double time_from_rest_to_rest(const Sample& before, const Sample& after, const Vehicle& vehicle);

@@ -128,14 +128,15 @@ Plan run_outside(const Problem& problem, const std::string& command, const std::
   const Output output = Conversation{child, to_child[1], from_child[0], seconds, cancel}.hold(input);
   const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   Plan plan;
+  std::vector<PoseSpeed> speeds;
   if (output.canceled) {
     plan = fail(Status::canceled, "canceled");
   } else if (output.timed_out) {
     plan = fail(Status::timed_out, fmt::format("the outside planner did not end within {} s", seconds));
   } else if (!WIFEXITED(output.status) || WEXITSTATUS(output.status) != 0) {
     plan = fail(Status::no_path, fmt::format("the outside planner ended with status {}", WIFEXITED(output.status) ? WEXITSTATUS(output.status) : -1));
-  } else if (auto path = parse_poses_csv(output.text, "output of the outside planner")) {
-    plan = judge_imported(problem, std::move(*path));
+  } else if (auto path = parse_poses_csv(output.text, "output of the outside planner", nullptr, &speeds)) {
+    plan = judge_imported(problem, std::move(*path), std::move(speeds));
   } else {
     plan = fail(Status::no_path, path.error().message());
   }

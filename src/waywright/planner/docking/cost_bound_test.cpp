@@ -18,7 +18,7 @@ TEST(PatternBounds, NoPatternOfABoxIsUnderItsBound) {
   CandidateEvaluator evaluator{prepared};
   Random random{4};
   for (const PatternLeads& leads : {PatternLeads{}, PatternLeads{0.4, 0.3, 0.5}}) {
-    for (const Zone& zone : prepared.task().zones) {
+    for (const TransitionZone& zone : prepared.task().zones) {
       const PatternBounds bounds{prepared, zone.side, leads};
       const SearchSpace space = search_space(zone, 1.0);
       double closest = 0.0;
@@ -52,7 +52,7 @@ TEST(PatternBounds, SmallBoxesHaveTightBounds) {
   const Problem problem = fixture::problem(fixture::Id::d0);
   const PreparedDocking prepared{problem};
   CandidateEvaluator evaluator{prepared};
-  const Zone& zone = prepared.task().zones[0];
+  const TransitionZone& zone = prepared.task().zones[0];
   const PatternBounds bounds{prepared, zone.side, {}};
   const std::array<double, 3> x{4.3, 3.6, 0.1};
   const PathMeasures m =
@@ -69,7 +69,7 @@ TEST(PatternBounds, WhereAllAreSaidToCollideNoneIsFree) {
   CandidateEvaluator evaluator{prepared};
   Random random{9};
   int said = 0, free = 0;
-  for (const Zone& zone : prepared.task().zones) {
+  for (const TransitionZone& zone : prepared.task().zones) {
     const PatternBounds bounds{prepared, zone.side, {}};
     const SearchSpace space = search_space(zone, 1.0);
     for (int i = 0; i < 2000; ++i) {

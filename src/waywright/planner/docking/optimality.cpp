@@ -48,7 +48,7 @@ std::pair<TransitionBox, TransitionBox> halves(const TransitionBox& box) {
 
 Optimality bound_optimum(const PreparedDocking& prepared, const PatternDockingOptions& options, const PathMeasures& reference, double cost,
                          Budget& budget) {
-  const std::vector<Zone>& zones = prepared.task().zones;
+  const std::vector<TransitionZone>& zones = prepared.task().zones;
   std::vector<PatternBounds> bounds;
   std::priority_queue<Node> open;
   std::int64_t made = 0;

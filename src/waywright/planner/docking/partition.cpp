@@ -50,7 +50,7 @@ DockingTask partition(const Problem& problem) {
   task.dock_heading = unit(task.dock.heading);
   const double needed = problem.footprint().least_width() + 2.0 * problem.scenario().clearance;
   for (const Side side : {Side::left, Side::right}) {
-    Zone zone;
+    TransitionZone zone;
     zone.side = side;
     zone.of = std::holds_alternative<Station>(problem.scenario().mission) ? "shelf" : "goal";
     zone.needed = needed;

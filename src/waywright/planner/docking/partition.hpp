@@ -13,7 +13,7 @@ enum class Side { left = 1, right = -1 };  ///< of the shelf, seen along its hea
 const char* to_string(Side side);
 
 /// One side of the shelf, in the shelf's frame (origin in the middle of the loading face, +x out of the shelf).
-struct Zone {
+struct TransitionZone {
   Side side = Side::left;
   const char* of = "shelf";    ///< what it lies beside, for sentences: "shelf" or "goal"
   std::vector<Ring> polygons;  ///< where the transition point may lie; empty where the side is left out
@@ -27,7 +27,7 @@ struct DockingTask {
   Frame frame;         ///< shelf frame → world
   Pose start, dock;    ///< in the shelf's frame; dock heading is π
   Vec2 dock_heading{-1.0, 0.0};  ///< the same as a unit vector
-  std::vector<Zone> zones;  ///< left, then right
+  std::vector<TransitionZone> zones;  ///< left, then right
 };
 
 /// Clips the station (or, without one, the surroundings of start and goal) beside the shelf. A polygon is left out only where

@@ -24,7 +24,7 @@ constexpr double infeasible_costs = 100.0;  // graded costs from here on stand f
 /// The search on one side, which can be halted while it is seen which side deserves the work.
 class PatternSearch::OneSide {
  public:
-  OneSide(const PreparedDocking& prepared, const Zone& zone, const PatternDockingOptions& options, const Optimizer& optimizer,
+  OneSide(const PreparedDocking& prepared, const TransitionZone& zone, const PatternDockingOptions& options, const Optimizer& optimizer,
           const PathMeasures& reference, CandidateEvaluator& evaluator)
       : prepared_{prepared}, zone_{zone}, options_{options}, optimizer_{optimizer}, evaluator_{evaluator}, reference_{reference},
         space_{search_space(zone, options.heading_range)}, dock_{placement_of(prepared.problem().goal())},
@@ -102,7 +102,7 @@ class PatternSearch::OneSide {
   }
 
   const PreparedDocking& prepared_;
-  const Zone& zone_;
+  const TransitionZone& zone_;
   const PatternDockingOptions& options_;
   const Optimizer& optimizer_;
   CandidateEvaluator& evaluator_;
@@ -123,7 +123,7 @@ class PatternSearch::OneSide {
 PatternSearch::PatternSearch(const PreparedDocking& prepared, const PatternDockingOptions& options, const Optimizer& optimizer)
     : prepared_{prepared}, options_{options}, evaluator_{prepared} {
   const PathMeasures reference = reference_measures(prepared, options.leads);
-  for (const Zone& zone : prepared.task().zones) {
+  for (const TransitionZone& zone : prepared.task().zones) {
     const bool wanted = !zone.left_out() && is_wanted(options.sides, zone.side);
     sides_.push_back(wanted ? std::make_unique<OneSide>(prepared, zone, options, optimizer, reference, evaluator_) : nullptr);
   }
@@ -133,7 +133,7 @@ PatternSearch::PatternSearch(const PreparedDocking& prepared, const PatternDocki
 PatternSearch::~PatternSearch() = default;
 
 std::vector<SideFound>& PatternSearch::search(const PatternEntry& entry, std::int64_t evaluations, std::uint64_t seed, bool second_choice, Budget& budget) {
-  const std::vector<Zone>& zones = prepared_.task().zones;
+  const std::vector<TransitionZone>& zones = prepared_.task().zones;
   evaluator_.enter_with(entry.speed);
   SideShares shares{zones, options_.sides, evaluations, budget, second_choice};
   watched_ = std::numeric_limits<double>::infinity();
@@ -204,7 +204,7 @@ PathMeasures reference_measures(const PreparedDocking& prepared, const PatternLe
   const double limit = problem.vehicle().max_curvature();
   const double scale = std::isfinite(limit) && limit > 0.0 ? published_curvature / limit : 1.0;
   PathMeasures reference;
-  for (const Zone& zone : task.zones) {
+  for (const TransitionZone& zone : task.zones) {
     const double sign = zone.side == Side::left ? 1.0 : -1.0;
     const Vec2 point{scale * published_reference.x, sign * scale * published_reference.y};
     const Pose transition = task.frame.to_world(make_pose(point, transition_heading(zone.side, task.dock.heading)));

@@ -1,6 +1,7 @@
 #include "waywright/planner/docking/pattern_solver.hpp"
 
 #include "waywright/judge/entry.hpp"
+#include "waywright/speed/zone_speed.hpp"
 
 namespace waywright {
 namespace {
@@ -81,7 +82,7 @@ void PatternSolver::prove_ahead(Budget& budget) {
     next_.proof = prove(problem, next_.path, options, proving_);
     if (!next_.proof.holds()) return;
     sample(next_.path, problem.footprint().radius(), next_.proof.certificate.tolerance, sample_step, next_.samples);
-    if (problem.motion() && !can_be_entered(problem, next_.samples, timing_)) return;
+    if (problem.motion() && !can_be_entered(problem, next_.samples, timing_, zone_limits(problem, next_.samples, next_.proof.certificate.tolerance))) return;
     std::swap(ahead_, next_);
     has_ahead_ = true;
   });
@@ -112,7 +113,7 @@ bool PatternSolver::stands(const Path& whole) {
   path_ = whole;
   proof_ = prove(problem, path_, {}, proving_);
   is_sampled_ = false;
-  return proof_.holds() && (!problem.motion() || can_be_entered(problem, samples(), timing_));
+  return proof_.holds() && (!problem.motion() || can_be_entered(problem, samples(), timing_, zone_limits(problem, samples(), proof_.certificate.tolerance)));
 }
 
 std::vector<Sample>& PatternSolver::samples() {

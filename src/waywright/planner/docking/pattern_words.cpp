@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "waywright/judge/entry.hpp"
+#include "waywright/speed/zone_speed.hpp"
 
 namespace waywright {
 namespace {
@@ -49,11 +50,12 @@ std::string refusal_of(const Problem& problem, const SideFound& found, bool in_m
   const Proof proof = prove(problem, whole);
   if (!proof.violations.empty()) return proof.violations.front().sentence;
   SpeedWorkspace timing;
-  const auto too_fast = check_entry(problem, sample(whole, problem.footprint().radius(), proof.certificate.tolerance), timing);
+  const std::vector<Sample> samples = sample(whole, problem.footprint().radius(), proof.certificate.tolerance);
+  const auto too_fast = check_entry(problem, samples, timing, zone_limits(problem, samples, proof.certificate.tolerance));
   return too_fast ? too_fast->sentence : "the proof did not confirm it";
 }
 
-SideOutcome outcome_of(const PreparedDocking& prepared, const Zone& zone, const SideFound& found, const PatternSolver& solver, const Budget& budget) {
+SideOutcome outcome_of(const PreparedDocking& prepared, const TransitionZone& zone, const SideFound& found, const PatternSolver& solver, const Budget& budget) {
   const Problem& problem = prepared.problem();
   SideOutcome outcome;
   outcome.side = zone.side;
@@ -116,7 +118,7 @@ std::vector<std::string> entry_sentences(const Problem& problem, const PatternSo
 
 std::vector<SideOutcome> outcomes_of(const PreparedDocking& prepared, const PatternSolver& solver, const Budget& budget) {
   std::vector<SideOutcome> outcomes;
-  const std::vector<Zone>& zones = prepared.task().zones;
+  const std::vector<TransitionZone>& zones = prepared.task().zones;
   for (std::size_t i = 0; i < zones.size(); ++i) outcomes.push_back(outcome_of(prepared, zones[i], solver.sides()[i], solver, budget));
   return outcomes;
 }

@@ -23,7 +23,7 @@ Box region_of(const Problem& problem, const DockingTask& task) {
   if (const auto* station = std::get_if<Station>(&problem.scenario().mission)) {
     points = station->area;
   } else {
-    for (const Zone& zone : task.zones) {
+    for (const TransitionZone& zone : task.zones) {
       for (const Ring& polygon : zone.polygons) {
         for (const Vec2 p : polygon) points.push_back(task.frame.to_world(p));
       }

@@ -16,14 +16,14 @@ constexpr double contact_knock_out = 1000.0;
 constexpr Vec2 reference_point{4.0, 3.5};
 
 /// Zones by the published rule: extent across the shelf against a threshold.
-std::vector<Zone> published_zones(const DockingTask& task, const Problem& problem, double least_side) {
+std::vector<TransitionZone> published_zones(const DockingTask& task, const Problem& problem, double least_side) {
   const auto* station = std::get_if<Station>(&problem.scenario().mission);
-  std::vector<Zone> zones = task.zones;
+  std::vector<TransitionZone> zones = task.zones;
   if (station == nullptr) return zones;
   Ring area;
   for (const Vec2 p : station->area) area.push_back(task.frame.to_local(p));
   const double half = 0.5 * station->shelf.width;
-  for (Zone& zone : zones) {
+  for (TransitionZone& zone : zones) {
     zone.polygons.clear();
     zone.width = 0.0;
     zone.needed = least_side;
@@ -124,7 +124,7 @@ PlanningResult PublishedDockingPlanner::plan(const Problem& problem, Budget& bud
   search.population = options_.population;
 
   std::vector<SideOutcome> outcomes;
-  for (const Zone& zone : task.zones) {
+  for (const TransitionZone& zone : task.zones) {
     SideOutcome outcome;
     outcome.side = zone.side;
     if (zone.left_out()) {

@@ -10,7 +10,7 @@
 
 namespace waywright {
 
-SearchSpace search_space(const Zone& zone, double heading_range) {
+SearchSpace search_space(const TransitionZone& zone, double heading_range) {
   std::vector<Vec2> corners;
   for (const Ring& polygon : zone.polygons) corners.insert(corners.end(), polygon.begin(), polygon.end());
   const Box box = bounding_box(corners);
@@ -22,7 +22,7 @@ SearchSpace search_space(const Zone& zone, double heading_range) {
   return space;
 }
 
-Placement transition_placement(const DockingTask& task, const Zone& zone, std::span<const double> x) {
+Placement transition_placement(const DockingTask& task, const TransitionZone& zone, std::span<const double> x) {
   const Vec2 wanted{x[0], x[1]};
   Vec2 nearest = wanted;
   double least = std::numeric_limits<double>::infinity();
@@ -40,7 +40,7 @@ Placement transition_placement(const DockingTask& task, const Zone& zone, std::s
   return {task.frame.to_world(nearest), task.frame.rotate(offset.cos * across + offset.sin * left_of(across))};
 }
 
-Pose transition_pose(const DockingTask& task, const Zone& zone, std::span<const double> x) {
+Pose transition_pose(const DockingTask& task, const TransitionZone& zone, std::span<const double> x) {
   const Placement at = transition_placement(task, zone, x);
   return make_pose(at.position, angle_of(at.heading));
 }
@@ -49,9 +49,9 @@ bool is_wanted(SideChoice choice, Side side) {
   return choice == SideChoice::both || (choice == SideChoice::left) == (side == Side::left);
 }
 
-SideShares::SideShares(const std::vector<Zone>& zones, SideChoice sides, std::int64_t evaluations, const Budget& budget, bool second_choice)
+SideShares::SideShares(const std::vector<TransitionZone>& zones, SideChoice sides, std::int64_t evaluations, const Budget& budget, bool second_choice)
     : evaluations_{evaluations} {
-  sides_ = std::count_if(zones.begin(), zones.end(), [&](const Zone& z) { return !z.left_out() && is_wanted(sides, z.side); });
+  sides_ = std::count_if(zones.begin(), zones.end(), [&](const TransitionZone& z) { return !z.left_out() && is_wanted(sides, z.side); });
   if (const auto all = budget.evaluations_left()) left_ = second_choice ? *all - *all / 4 : *all;
 }
 
@@ -68,7 +68,7 @@ std::string not_searched_sentence(Side side, const Budget& budget) {
   return fmt::format("The {} side was not searched: {}.", to_string(side), why);
 }
 
-std::string left_out_sentence(const Zone& zone) {
+std::string left_out_sentence(const TransitionZone& zone) {
   if (zone.width == 0.0) {
     return fmt::format("The {} side of the {} was left out: there is no free area.", to_string(zone.side), zone.of);
   }
@@ -110,7 +110,7 @@ std::vector<Alternative> alternatives_of(const DockingTask& task, const std::vec
     if (outcome.feasible) a.cost = outcome.cost;
     a.outcome = outcome.sentence;
     for (const RoughPose& p : rough_poses(outcome.path, 0.12)) a.poses.push_back(p.pose);
-    const Zone& zone = task.zones[i];
+    const TransitionZone& zone = task.zones[i];
     if (!zone.polygons.empty()) a.zone = transformed(zone.polygons.front(), task.frame);
     alternatives.push_back(std::move(a));
   }

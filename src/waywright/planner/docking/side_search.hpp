@@ -28,11 +28,11 @@ struct SideOutcome {
 };
 
 /// Box over a zone's polygons in the shelf's frame, with a third variable for the heading where its range is positive.
-SearchSpace search_space(const Zone& zone, double heading_range);
+SearchSpace search_space(const TransitionZone& zone, double heading_range);
 
 /// The decision vector as a vehicle pose in the world: a point outside the polygons is taken to their nearest point.
-Placement transition_placement(const DockingTask& task, const Zone& zone, std::span<const double> x);
-Pose transition_pose(const DockingTask& task, const Zone& zone, std::span<const double> x);
+Placement transition_placement(const DockingTask& task, const TransitionZone& zone, std::span<const double> x);
+Pose transition_pose(const DockingTask& task, const TransitionZone& zone, std::span<const double> x);
 
 bool is_wanted(SideChoice choice, Side side);
 
@@ -41,7 +41,7 @@ class SideShares {
  public:
   /// Each side gets `evaluations`, or an equal share of what the scenario's budget leaves; a quarter of that is kept where a second choice
   /// stands by.
-  SideShares(const std::vector<Zone>& zones, SideChoice sides, std::int64_t evaluations, const Budget& budget, bool second_choice);
+  SideShares(const std::vector<TransitionZone>& zones, SideChoice sides, std::int64_t evaluations, const Budget& budget, bool second_choice);
   /// Evaluations for the next side, ≥ 0.
   std::int64_t next();
 
@@ -55,7 +55,7 @@ class SideShares {
 std::string not_searched_sentence(Side side, const Budget& budget);
 
 /// Why a side was left out, with figures.
-std::string left_out_sentence(const Zone& zone);
+std::string left_out_sentence(const TransitionZone& zone);
 
 /// Where the vehicle is after so many metres, about.
 struct RoughPose {

@@ -36,10 +36,13 @@ bool is_near(const GridFrame& frame, Vec2 at) {
   return p.x > -1.0 && p.y > -1.0 && p.x < frame.columns + 1.0 && p.y < frame.rows + 1.0;
 }
 
+double weighed(const ZoneRules& zones, Vec2 from, Vec2 to) { return zones.weighs() ? zones.cost(from, to) : distance(from, to); }
+
 /// Connections of one pose, all actions told outwards, from the pose to the cell; into the pose they are driven the other way.
 class Connector {
  public:
-  Connector(const HeadingSpace& space, double margin, bool is_start, MotionCheck& test) : space_{space}, margin_{margin}, is_start_{is_start}, test_{test} {}
+  Connector(const ZoneRules& zones, const HeadingSpace& space, double margin, bool is_start, MotionCheck& test)
+      : zones_{zones}, space_{space}, margin_{margin}, is_start_{is_start}, test_{test} {}
 
   /// From `base`, with what was done before it came there.
   void from(const Pose& base, const std::vector<Action>& before, double cost) {
@@ -51,17 +54,20 @@ class Connector {
     }
   }
   std::vector<HeadingConnection>& found() { return found_; }
-  /// Cost of so many metres driven outwards with this direction.
-  double driving(double metres, int outward) const {
+  /// Cost of the straight way from `inner` to `outer`, outwards, with this direction.
+  double driving(Vec2 inner, Vec2 outer, int outward) const {
+    const double metres = weighed(zones_, inner, outer);
     const bool is_backwards = (outward < 0) == is_start_;
     return is_backwards ? metres * space_.costs().reverse : metres;
   }
+  bool zones_allow(Vec2 inner, Vec2 outer) const { return is_start_ ? zones_.may_be_driven(inner, outer) : zones_.may_be_driven(outer, inner); }
   bool may_drive(int outward) const { return (outward < 0) != is_start_ || space_.costs().reverse > 0.0; }
 
  private:
   void drive_to(Cell cell, const Pose& base, const std::vector<Action>& before, double cost) {
     const Vec2 middle = space_.frame().centre(cell);
-    const double way = distance(base.position(), middle), course = angle_of(middle - base.position());
+    const double course = angle_of(middle - base.position());
+    if (!zones_allow(base.position(), middle)) return;
     for (const int outward : {1, -1}) {
       if (!may_drive(outward)) continue;
       const double facing = outward > 0 ? course : wrap(course + pi);
@@ -71,7 +77,7 @@ class Connector {
       std::vector<Action> actions = before;
       actions.push_back({Action::Kind::turn, turn, {}, 1});
       actions.push_back({Action::Kind::drive, 0.0, middle, outward});
-      turn_at(cell, facing, actions, cost + std::abs(turn) * space_.costs().turn + driving(way, outward));
+      turn_at(cell, facing, actions, cost + std::abs(turn) * space_.costs().turn + driving(base.position(), middle, outward));
     }
   }
 
@@ -93,6 +99,7 @@ class Connector {
     }
   }
 
+  const ZoneRules& zones_;
   const HeadingSpace& space_;
   double margin_;
   bool is_start_;
@@ -116,15 +123,17 @@ void turn_round(HeadingConnection& connection, Vec2 pose) {
 
 }  // namespace
 
-std::vector<DiscConnection> disc_connections(const Problem& problem, const GridFrame& frame, Vec2 at, MotionCheck& test) {
+std::vector<DiscConnection> disc_connections(const Problem& problem, const GridFrame& frame, Vec2 at, bool is_start, MotionCheck& test) {
   if (!is_near(frame, at)) return {};
   if (const Cell c = cell_of(frame, at); is_middle(frame, c, at)) return {{c, 0.0}};
   const double margin = connecting_margin(problem);
+  const ZoneRules& zones = problem.zones();
   std::vector<DiscConnection> found;
   for (int k = 1; k <= widest && found.empty(); ++k) {
     for (const Cell c : around(frame, at, k)) {
       const Vec2 middle = frame.centre(c);
-      if (test.is_drive_free(at, middle, 0.0, margin)) found.push_back({c, distance(at, middle)});
+      if (!(is_start ? zones.may_be_driven(at, middle) : zones.may_be_driven(middle, at))) continue;
+      if (test.is_drive_free(at, middle, 0.0, margin)) found.push_back({c, weighed(zones, at, middle)});
     }
   }
   return found;
@@ -132,7 +141,7 @@ std::vector<DiscConnection> disc_connections(const Problem& problem, const GridF
 
 std::vector<HeadingConnection> heading_connections(const Problem& problem, const HeadingSpace& space, const Pose& pose, bool is_start, MotionCheck& test) {
   const double margin = connecting_margin(problem);
-  Connector connector{space, margin, is_start, test};
+  Connector connector{problem.zones(), space, margin, is_start, test};
   connector.from(pose, {}, 0.0);
   // Out of an aisle or opening that it cannot turn in, as far as it goes straight on.
   const double step = std::max(space.frame().cell, 0.1 * problem.footprint().radius());
@@ -143,10 +152,10 @@ std::vector<HeadingConnection> heading_connections(const Problem& problem, const
       if (!is_open) continue;
       const double s = i * step;
       const Vec2 there = pose.position() + (outward * s) * unit(pose.heading);
-      is_open = test.is_drive_free(pose.position(), there, pose.heading, margin);
+      is_open = connector.zones_allow(pose.position(), there) && test.is_drive_free(pose.position(), there, pose.heading, margin);
       if (!is_open) continue;
-      Connector next{space, margin, is_start, test};
-      next.from(make_pose(there, pose.heading), {{Action::Kind::drive, 0.0, there, outward}}, connector.driving(s, outward));
+      Connector next{problem.zones(), space, margin, is_start, test};
+      next.from(make_pose(there, pose.heading), {{Action::Kind::drive, 0.0, there, outward}}, connector.driving(pose.position(), there, outward));
       for (HeadingConnection& c : next.found()) connector.found().push_back(std::move(c));
     }
   }

@@ -20,11 +20,11 @@ struct Action {
 /// Of a disc, which may turn anywhere.
 struct DiscConnection {
   Cell cell{};
-  double length = 0.0;  ///< m; 0: the pose is the cell's middle
+  double cost = 0.0;  ///< m, the length as zones weigh it; 0: the pose is the cell's middle
 };
 /// The middles around a place that it can be driven from, or to, on a straight line: the cell that it is the middle of alone, or those of the four around it;
-/// where none of them can be, of the sixteen or the thirty-six around.
-std::vector<DiscConnection> disc_connections(const Problem& problem, const GridFrame& frame, Vec2 at, MotionCheck& test);
+/// where none of them can be, of the sixteen or the thirty-six around. `is_start`: from the place; else to it.
+std::vector<DiscConnection> disc_connections(const Problem& problem, const GridFrame& frame, Vec2 at, bool is_start, MotionCheck& test);
 
 /// Of a footprint with a shape: to a state of a HeadingSpace, with what is done on the way, in the order of driving.
 struct HeadingConnection {

@@ -49,6 +49,10 @@ std::optional<std::size_t> main_grid(const Map& map) {
   return std::nullopt;
 }
 
+bool has_forbidden_zone(const Scenario& scenario) {
+  return std::any_of(scenario.zones.begin(), scenario.zones.end(), [](const Zone& zone) { return zone.type == ZoneType::forbidden; });
+}
+
 std::string too_many(double columns, double rows, double cell) {
   return fmt::format("the grid would have {:.0f} x {:.0f} cells of {:g} m, and at most {} cells of at most {} a side are searched: give a coarser resolution", columns, rows, cell,
                      most_grid_cells, DistanceField::longest_side);
@@ -93,7 +97,7 @@ CellBounds::CellBounds(const Problem& problem, const GridFrame& frame) : cell_{f
     occupied_.resize(cells);
     std::transform(grid.blocked.begin(), grid.blocked.end(), occupied_.begin(), [](std::uint8_t b) { return b != 0 ? 1 : 0; });
     is_cells_alone_ = map.boundaries.empty() && map.obstacles.empty() && map.lines.empty() && map.points.empty() && map.grids.size() == 1 &&
-                      std::holds_alternative<Pose>(problem.scenario().mission);
+                      std::holds_alternative<Pose>(problem.scenario().mission) && !has_forbidden_zone(problem.scenario());
   } else {
     occupied_.assign(cells, 0);
   }

@@ -73,6 +73,16 @@ void GridGraph::set_danger(std::vector<std::uint16_t> danger) {
   most_danger_ = danger_.empty() ? std::uint16_t{0} : *std::max_element(danger_.begin(), danger_.end());
 }
 
+void GridGraph::set_zones(GridZones zones) {
+  zones_ = std::move(zones);
+  if (zones_.empty()) return;
+  for (std::size_t cell = 0; cell < free_.size(); ++cell) {
+    const auto allowed = static_cast<std::uint16_t>(~zones_.against(cell));
+    free_[cell] = static_cast<std::uint16_t>(free_[cell] & allowed);
+    if (!asked_.empty()) asked_[cell] = static_cast<std::uint16_t>(asked_[cell] & allowed);
+  }
+}
+
 void GridGraph::label_components() {
   component_.assign(free_.size(), blocked_component);
   std::vector<std::uint32_t> waiting;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "waywright/planner/grid/grid_zones.hpp"
 #include "waywright/planner/grid/lattice.hpp"
 
 namespace waywright {
@@ -44,6 +45,11 @@ class GridGraph {
   const std::vector<std::uint16_t>& danger() const { return danger_; }
   std::uint16_t most_danger() const { return most_danger_; }
 
+  /// Takes out the moves that break a directed zone's rule, and weighs the others. Components stay those of the moves that were there both ways.
+  /// @pre made for these cells and this neighbourhood
+  void set_zones(GridZones zones);
+  const GridZones& zones() const { return zones_; }
+
   /// False where no way can lead from one to the other, known from preparation. (Beyond 65 534 components it is not known of all.)
   bool may_be_connected(Cell a, Cell b) const;
   /// How many components there are, single blocked cells not counted.
@@ -57,6 +63,7 @@ class GridGraph {
   std::vector<std::uint16_t> free_, asked_;
   std::vector<std::uint16_t> danger_;
   std::uint16_t most_danger_ = 0;
+  GridZones zones_;
   std::vector<std::uint16_t> component_;
   std::int64_t components_ = 0;
 };

@@ -16,7 +16,7 @@
 
 namespace waywright {
 
-using grid::counted, grid::failure, grid::nothing_found, grid::of_neighbours, grid::place;
+using grid::counted, grid::failure, grid::nothing_found, grid::of_neighbours, grid::place, grid::zone_sentence, grid::is_plain_line;
 
 /// What is known of one problem.
 class GridPlanner::Ready {
@@ -33,8 +33,14 @@ class GridPlanner::Ready {
     footprint_ = problem.footprint();
     // At any angle a footprint has to turn by any angle: the disc around it can, wherever it can stand.
     if (options.any_angle) footprint_ = {{}, footprint_.radius()};
+    auto zones = GridZones::make(problem.zones(), frame_, options.neighbours);
+    if (!zones) {
+      refused_ = zones.error();
+      return;
+    }
     if (footprint_.is_disc()) {
       graph_ = disc_graph(frame_, *bounds_, options.neighbours, footprint_.disc + lattice_margin(problem));
+      graph_.set_zones(std::move(*zones));
       if (!options.any_angle) bounds_.reset();  // settled
       return;
     }
@@ -44,7 +50,7 @@ class GridPlanner::Ready {
                              frame_.rows, frame_.cell, static_cast<int>(options.neighbours), states, HeadingSpace::most_states);
       return;
     }
-    headings_.emplace(problem, frame_, *bounds_, options.neighbours, options.costs);
+    headings_.emplace(problem, frame_, *bounds_, options.neighbours, options.costs, std::move(*zones));
   }
   Ready(const Ready&) = delete;
   Ready& operator=(const Ready&) = delete;
@@ -78,6 +84,7 @@ class GridPlanner::Ready {
       }
       return std::nullopt;
     }
+    if (!is_plain_line(problem_.zones(), start.position(), goal.position())) return std::nullopt;
     const double course = angle_of(goal.position() - start.position());
     const double first = shorter_turn(start.heading, course), last = shorter_turn(course, goal.heading);
     if (!test.is_turn_free(start.position(), start.heading, first, margin) || !test.is_drive_free(start.position(), goal.position(), course, margin) ||
@@ -98,11 +105,11 @@ class GridPlanner::Ready {
   PlanningResult plan_disc(const GridPlannerOptions& options, Budget& budget, MotionCheck& test) const {
     const Pose& start = problem_.start();
     const Pose& goal = problem_.goal();
-    const auto from = disc_connections(problem_, frame_, start.position(), test), to = disc_connections(problem_, frame_, goal.position(), test);
+    const auto from = disc_connections(problem_, frame_, start.position(), true, test), to = disc_connections(problem_, frame_, goal.position(), false, test);
     if (from.empty() || to.empty()) return tl::unexpected{not_connected(from.empty())};
     GridQuery query;
-    for (const DiscConnection& c : from) query.starts.push_back({c.cell, c.length / frame_.cell});
-    for (const DiscConnection& c : to) query.goals.push_back({c.cell, c.length / frame_.cell});
+    for (const DiscConnection& c : from) query.starts.push_back({c.cell, c.cost / frame_.cell});
+    for (const DiscConnection& c : to) query.goals.push_back({c.cell, c.cost / frame_.cell});
     query.heuristic = options.heuristic;
     query.expansions = budget.limits().expansions;
     query.budget = &budget;
@@ -130,7 +137,7 @@ class GridPlanner::Ready {
     const Pose& start = problem_.start();
     const Pose& goal = problem_.goal();
     const Sight sight{problem_, frame_, *bounds_, footprint_.disc};
-    ThetaQuery any{start.position(), goal.position(), query.starts, query.goals, lattice_margin(problem_), connecting_margin(problem_), {}, &budget, query.is_free};
+    ThetaQuery any{start.position(), goal.position(), query.starts, query.goals, lattice_margin(problem_), connecting_margin(problem_), {}, &budget, query.is_free, zones()};
     if (query.expansions) any.expansions = *query.expansions - on_grid.expansions;
     auto search = any_angles_.lend();
     const ThetaAnswer answer = (*search).run(graph_, frame_, sight, any);
@@ -141,17 +148,19 @@ class GridPlanner::Ready {
     std::vector<Vec2> cells{start.position()};
     for (const Cell c : on_grid.cells) cells.push_back(frame_.centre(c));
     cells.push_back(goal.position());
-    const double of_grid = length_of(cells);
-    const auto taut = [&](std::vector<Vec2> points) { return pulled_taut(std::move(points), sight, any.margin, any.end_margin); };
+    const auto metres = [&](const std::vector<Vec2>& points) { return zones() != nullptr ? cost_of(points, *zones()) : length_of(points); };
+    const double of_grid = metres(cells);
+    const auto taut = [&](std::vector<Vec2> points) { return pulled_taut(std::move(points), sight, any.margin, any.end_margin, zones()); };
     const std::vector<Vec2> from_theta = taut(answer.points), from_grid = taut(std::move(cells));
-    const std::vector<Vec2>& points = length_of(from_theta) <= length_of(from_grid) ? from_theta : from_grid;
+    const std::vector<Vec2>& points = metres(from_theta) <= metres(from_grid) ? from_theta : from_grid;
     std::vector<Action> actions;
     for (std::size_t i = 1; i < points.size(); ++i) actions.push_back({Action::Kind::drive, 0.0, points[i], 1});
     Planned planned = explained(path_of(start, actions, goal), options, budget.expansions(), of_grid);
     planned.explanation.front() =
-        fmt::format("A way at any angle over {} x {} cells of {:g} m: {:.3f} m with lazy Theta*, {:.3f} m where the shortest way over the cells, {:.3f} m, is pulled taut; the shorter is taken. "
+        fmt::format("A way at any angle over {} x {} cells of {:g} m{}: {:.3f} m with lazy Theta*, {:.3f} m where the {} way over the cells, {:.3f} m, is pulled taut; the {} is taken. "
                     "{} in both searches.",
-                    frame_.columns, frame_.rows, frame_.cell, length_of(from_theta), length_of(from_grid), of_grid, counted(budget.expansions(), "expansion"));
+                    frame_.columns, frame_.rows, frame_.cell, is_weighed() ? ", as zones weigh it" : "", metres(from_theta), metres(from_grid), is_weighed() ? "least costly" : "shortest", of_grid,
+                    is_weighed() ? "cheaper" : "shorter", counted(budget.expansions(), "expansion"));
     if (!problem_.footprint().is_disc()) {
       planned.explanation.push_back(fmt::format("It was searched for the disc around the footprint, {:.3f} m, which can turn wherever it can stand; astar finds narrower ways.", footprint_.disc));
     }
@@ -191,7 +200,7 @@ class GridPlanner::Ready {
     std::vector<std::string>& text = planned.explanation;
     if (cost) {
       const bool is_least = never_too_much(options.heuristic, options.neighbours);
-      std::string what = is_least ? (headings_ ? "The least costly way" : "The shortest way") : "A way";
+      std::string what = is_least ? (headings_ || is_weighed() ? "The least costly way" : "The shortest way") : "A way";
       what += fmt::format(" over {} x {} cells of {:g} m with {}{}: {:.3f} m", frame_.columns, frame_.rows, frame_.cell, of_neighbours(options.neighbours),
                           headings_ ? " and as many headings" : "", *cost);
       if (headings_) {
@@ -209,9 +218,14 @@ class GridPlanner::Ready {
     text.push_back(fmt::format("Each move was tested against the exact outlines, with {:.1f} mm to spare beyond the {:.4f} m that are required; the cells cost no clearance, but ways that "
                                "lead between their middles are not seen: a passage has to be up to a cell, {:g} m, wider than what just fits.",
                                (lattice_margin(problem_) - problem_.required_clearance()) * 1e3, problem_.required_clearance(), frame_.cell));
+    if (std::string sentence = zone_sentence(problem_, path); !sentence.empty()) text.push_back(std::move(sentence));
     planned.path = std::move(path);
     return planned;
   }
+
+  bool is_weighed() const { return problem_.zones().weighs(); }
+  /// nullptr where no zone directs or weighs.
+  const ZoneRules* zones() const { return problem_.zones().directs() || is_weighed() ? &problem_.zones() : nullptr; }
 
   const Problem& problem_;
   std::string refused_;

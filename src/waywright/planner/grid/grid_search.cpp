@@ -19,11 +19,11 @@ constexpr Cell unpack(std::uint32_t state) { return {static_cast<int>(state & 0x
 enum class Kind { free_way, none, others };
 
 /// The graph as the search sees it.
-template <Kind kind, Neighbours neighbours, bool has_danger, bool asks>
+template <Kind kind, Neighbours neighbours, bool has_danger, bool asks, bool has_zones = false>
 class Space {
  public:
   Space(const GridGraph& graph, const MoveWeights& weights, const GridQuery& query, const std::vector<Terminal>& targets)
-      : graph_{graph}, query_{query}, all_weights_{weights}, rest_{neighbours, weights, kind == Kind::free_way ? Heuristic::free_way : query.heuristic}, width_{static_cast<std::uint32_t>(graph.columns())}, free_{graph.free_moves().data()},
+      : graph_{graph}, query_{query}, all_weights_{weights}, rest_{neighbours, weights, kind == Kind::free_way ? Heuristic::free_way : query.heuristic, has_zones ? graph.zones().least_factor() : 1.0}, width_{static_cast<std::uint32_t>(graph.columns())}, free_{graph.free_moves().data()},
         asked_{graph.asked_moves().data()}, danger_{graph.danger().data()} {
     std::vector<std::pair<Cell, std::uint32_t>> ends;
     for (const Terminal& t : targets) ends.push_back({unpack(t.state), t.cost});
@@ -43,11 +43,21 @@ class Space {
     return rest_.at(unpack(state));
   }
   bool may_be_target(std::uint32_t state) const { return rest_.may_be_end(unpack(state)); }
-  std::uint64_t most_cost() const { return static_cast<std::uint64_t>(all_weights_.knight) * (256 + graph_.most_danger()) / 256 + 1; }
+  std::uint64_t most_cost() const {
+    const std::uint64_t cost = static_cast<std::uint64_t>(all_weights_.knight) * (256 + graph_.most_danger()) / 256 + 1;
+    if constexpr (has_zones) return static_cast<std::uint64_t>(std::ceil(static_cast<double>(cost) * graph_.zones().most_factor())) + 1;
+    return cost;
+  }
   std::uint64_t most_rest() const {
     return static_cast<std::uint64_t>(graph_.columns() + graph_.rows()) * all_weights_.scale;  // manhattan is the greatest
   }
-  std::uint32_t bucket_width() const { return std::bit_floor(std::max(1U, all_weights_.scale / 16)); }
+  std::uint32_t bucket_width() const {
+    if constexpr (has_zones) {
+      constexpr std::uint64_t most_buckets = 1U << 18;
+      return std::bit_floor(static_cast<std::uint32_t>(std::min<std::uint64_t>(1U << 31, std::max<std::uint64_t>({1, all_weights_.scale / 16, 4 * most_cost() / most_buckets}))));
+    }
+    return std::bit_floor(std::max(1U, all_weights_.scale / 16));
+  }
 
   template <class Emit>
   void expand(std::uint32_t state, Emit&& emit) const {
@@ -67,6 +77,8 @@ class Space {
         const std::uint32_t both = static_cast<std::uint32_t>(danger_[here]) + danger_[there];
         cost += static_cast<std::uint32_t>((static_cast<std::uint64_t>(cost) * both) >> 9);
       }
+      // Rounded up, so that a sum is never under what the heuristic expects; less than rounding is nothing.
+      if constexpr (has_zones) cost = static_cast<std::uint32_t>(std::ceil(cost * graph_.zones().factor(here, static_cast<int>(i)) - 1e-9));
       emit(state + offsets_[i], there, cost, static_cast<int>(i));
     }
   }
@@ -86,7 +98,7 @@ class Space {
 
 std::vector<Terminal> terminals(const std::vector<GridEnd>& ends, const MoveWeights& weights) {
   std::vector<Terminal> all;
-  for (const GridEnd& e : ends) all.push_back({pack(e.cell.column, e.cell.row), static_cast<std::uint32_t>(std::lround(e.length * weights.scale))});
+  for (const GridEnd& e : ends) all.push_back({pack(e.cell.column, e.cell.row), rounded_cost(e.length * weights.scale)});
   return all;
 }
 
@@ -117,7 +129,7 @@ struct GridSearch::State {
     else return ordered;
   }
 
-  template <Kind kind, Neighbours neighbours, bool has_danger, bool asks, class Queue>
+  template <Kind kind, Neighbours neighbours, bool has_danger, bool asks, class Queue, bool has_zones = false>
   GridAnswer run(const GridGraph& graph, const GridQuery& query) {
     GridAnswer answer;
     const std::int64_t most = query.expansions.value_or(std::numeric_limits<std::int64_t>::max());
@@ -128,7 +140,7 @@ struct GridSearch::State {
     for (int level = 0; level < weight_levels; ++level) {
       const MoveWeights weights = move_weights(neighbours, level);
       const std::vector<Terminal> starts = terminals(query.starts, weights), targets = terminals(query.goals, weights);
-      Space<kind, neighbours, has_danger, asks> space{graph, weights, query, targets};
+      Space<kind, neighbours, has_danger, asks, has_zones> space{graph, weights, query, targets};
       const grid::Outcome outcome = grid::search(space, memory<Queue>(), starts, targets, most - answer.expansions, stop);
       answer.expansions += outcome.expansions;
       switch (outcome.ended) {
@@ -141,7 +153,7 @@ struct GridSearch::State {
           answer.ended = SearchEnd::found;
           trace(graph, memory<Queue>(), outcome.target, answer);
           answer.cost = static_cast<double>(outcome.cost) / weights.scale;
-          answer.error = 2.0 * ((weights.error() + (has_danger ? 1.0 / weights.scale : 0.0)) * static_cast<double>(answer.cells.size()) + 1.0 / weights.scale);
+          answer.error = 2.0 * ((weights.error() * (has_zones ? graph.zones().most_factor() : 1.0) + (has_zones ? 1.0 / weights.scale : 0.0) + (has_danger ? 1.0 / weights.scale : 0.0)) * static_cast<double>(answer.cells.size()) + 1.0 / weights.scale);
           break;
       }
       break;
@@ -152,6 +164,11 @@ struct GridSearch::State {
   template <Kind kind, Neighbours neighbours, class Queue>
   GridAnswer with_graph(const GridGraph& graph, const GridQuery& query) {
     const bool danger = !graph.danger().empty(), asks = !graph.asked_moves().empty();
+    if (graph.zones().weighs()) {
+      constexpr Kind any = Kind::others;
+      if (danger) return asks ? run<any, neighbours, true, true, Queue, true>(graph, query) : run<any, neighbours, true, false, Queue, true>(graph, query);
+      return asks ? run<any, neighbours, false, true, Queue, true>(graph, query) : run<any, neighbours, false, false, Queue, true>(graph, query);
+    }
     if (danger) return asks ? run<kind, neighbours, true, true, Queue>(graph, query) : run<kind, neighbours, true, false, Queue>(graph, query);
     return asks ? run<kind, neighbours, false, true, Queue>(graph, query) : run<kind, neighbours, false, false, Queue>(graph, query);
   }

@@ -14,7 +14,7 @@ namespace waywright {
 /// A cell that a way may begin or end in, and what lies between it and the true start or goal.
 struct GridEnd {
   Cell cell{};
-  double length = 0.0;  ///< cells, ≥ 0, at most 1000
+  double length = 0.0;  ///< cells, ≥ 0, as zones weigh it
 };
 
 enum class SearchOrder {

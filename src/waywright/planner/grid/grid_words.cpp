@@ -30,6 +30,26 @@ PlanningFailure nothing_found(SearchEnd ended, bool at_once, std::int64_t expans
   return failure(Status::no_path, fmt::format("no way over cells of {:g} m leads from start to goal for {}: {}", cell, what_fits, how));
 }
 
+bool is_plain_line(const ZoneRules& zones, Vec2 from, Vec2 to) {
+  return zones.may_be_driven(from, to) && (!zones.weighs() || zones.cost(from, to) <= distance(from, to) * (1.0 + 1e-12));
+}
+
+std::string zone_sentence(const Problem& problem, const Path& path) {
+  const ZoneRules& zones = problem.zones();
+  if (!zones.directs() && !zones.weighs()) return {};
+  double metres = 0.0, cost = 0.0;
+  for (const Piece& piece : path.pieces) {
+    if (const auto* line = std::get_if<Line>(&piece.curve)) {
+      metres += distance(line->from, line->to);
+      cost += zones.cost(line->from, line->to);
+    }
+  }
+  std::string text;
+  if (zones.weighs()) text = fmt::format("Zones weigh: the way's {:.3f} m cost {:.3f} m by the factors of preferred and penalty zones", metres, cost);
+  if (zones.directs()) text += text.empty() ? "No move goes against the direction of a directed zone" : "; no move goes against the direction of a directed zone";
+  return text + ".";
+}
+
 const char* of_neighbours(Neighbours n) {
   return n == Neighbours::four ? "4 neighbours" : n == Neighbours::eight ? "8 neighbours" : "16 neighbours";
 }

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "waywright/geometry/obstacle_index.hpp"
 #include "waywright/planner/grid/heuristic_rest.hpp"
@@ -33,7 +34,7 @@ static_assert(GridGraph::longest_side <= 1 << 14);
 class Space {
  public:
   Space(const HeadingSpace& space, const MoveWeights& weights, Heuristic heuristic, const std::vector<grid::Terminal>& targets, MotionCheck& test)
-      : space_{space}, weights_{weights}, test_{test}, rest_{space.neighbours(), weights, heuristic} {
+      : space_{space}, weights_{weights}, test_{test}, rest_{space.neighbours(), weights, heuristic, space.zones().least_factor()} {
     std::vector<std::pair<Cell, std::uint32_t>> ends;
     for (const grid::Terminal& t : targets) ends.push_back({unpack(t.state).cell, t.cost});
     rest_.aim_at(ends);
@@ -53,9 +54,17 @@ class Space {
   }
   std::uint32_t rest(std::uint32_t state) const { return rest_.at(unpack(state).cell); }
   bool may_be_target(std::uint32_t state) const { return rest_.may_be_end(unpack(state).cell); }
-  std::uint64_t most_cost() const { return std::max<std::uint64_t>(static_cast<std::uint64_t>(std::ceil(weights_.knight * std::max(1.0, space_.costs().reverse))), greatest_turn_); }
+  std::uint64_t most_cost() const {
+    return std::max<std::uint64_t>(static_cast<std::uint64_t>(std::ceil(weights_.knight * std::max(1.0, space_.costs().reverse) * space_.zones().most_factor())), greatest_turn_);
+  }
   std::uint64_t most_rest() const { return static_cast<std::uint64_t>(space_.frame().columns + space_.frame().rows) * weights_.scale; }
-  std::uint32_t bucket_width() const { return std::bit_floor(std::max(1U, weights_.scale / 8)); }
+  std::uint32_t bucket_width() const {
+    if (space_.zones().weighs()) {
+      constexpr std::uint64_t most_buckets = 1U << 18;
+      return std::bit_floor(static_cast<std::uint32_t>(std::min<std::uint64_t>(1U << 31, std::max<std::uint64_t>({1, weights_.scale / 8, 4 * most_cost() / most_buckets}))));
+    }
+    return std::bit_floor(std::max(1U, weights_.scale / 8));
+  }
 
   template <class Emit>
   void expand(std::uint32_t packed, Emit&& emit) const {
@@ -67,10 +76,10 @@ class Space {
     const int move = space_.move(s.heading);
     const Move m = moves[static_cast<std::size_t>(move)];
     if (space_.is_drive_free(s.cell, s.heading, false, test_)) {
-      to({{s.cell.column + m.column, s.cell.row + m.row}, s.heading}, weights_.of(move), HeadingStep::forwards);
+      to({{s.cell.column + m.column, s.cell.row + m.row}, s.heading}, weighed(weights_.of(move), s, false), HeadingStep::forwards);
     }
     if (space_.costs().reverse > 0.0 && space_.is_drive_free(s.cell, s.heading, true, test_)) {
-      to({{s.cell.column - m.column, s.cell.row - m.row}, s.heading}, static_cast<std::uint32_t>(std::lround(weights_.of(move) * space_.costs().reverse)), HeadingStep::backwards);
+      to({{s.cell.column - m.column, s.cell.row - m.row}, s.heading}, weighed(static_cast<std::uint32_t>(std::lround(weights_.of(move) * space_.costs().reverse)), s, true), HeadingStep::backwards);
     }
     const int previous = space_.beside(s.heading, -1);
     if (space_.is_turn_free(s.cell, s.heading, test_)) {
@@ -82,6 +91,11 @@ class Space {
   }
 
  private:
+  /// Rounded up, so that a sum is never under what the heuristic expects.
+  std::uint32_t weighed(std::uint32_t cost, const HeadingState& from, bool backwards) const {
+    return space_.zones().weighs() ? static_cast<std::uint32_t>(std::ceil(cost * space_.factor(from.cell, from.heading, backwards) - 1e-9)) : cost;
+  }
+
   const HeadingSpace& space_;
   MoveWeights weights_;
   MotionCheck& test_;
@@ -92,14 +106,14 @@ class Space {
 
 std::vector<grid::Terminal> terminals(const std::vector<HeadingEnd>& ends, double cell, const MoveWeights& weights) {
   std::vector<grid::Terminal> all;
-  for (const HeadingEnd& e : ends) all.push_back({pack(e.state), static_cast<std::uint32_t>(std::lround(e.cost / cell * weights.scale))});
+  for (const HeadingEnd& e : ends) all.push_back({pack(e.state), rounded_cost(e.cost / cell * weights.scale)});
   return all;
 }
 
 }  // namespace
 
-HeadingSpace::HeadingSpace(const Problem& problem, const GridFrame& frame, const CellBounds& bounds, Neighbours neighbours, const HeadingCosts& costs)
-    : frame_{frame}, bounds_{bounds}, neighbours_{neighbours}, costs_{costs}, headings_{static_cast<int>(neighbours)}, margin_{lattice_margin(problem)},
+HeadingSpace::HeadingSpace(const Problem& problem, const GridFrame& frame, const CellBounds& bounds, Neighbours neighbours, const HeadingCosts& costs, GridZones zones)
+    : frame_{frame}, bounds_{bounds}, neighbours_{neighbours}, costs_{costs}, zones_{std::move(zones)}, headings_{static_cast<int>(neighbours)}, margin_{lattice_margin(problem)},
       outer_{problem.footprint().radius()}, inner_{problem.footprint().is_disc() ? problem.footprint().disc : inner_radius(problem.footprint().polygon)} {
   const MotionCheck test{problem};
   std::vector<Vec2> ways;
@@ -122,6 +136,7 @@ bool HeadingSpace::is_drive_free(Cell from, int heading, bool backwards, MotionC
   const Move m = moves[static_cast<std::size_t>(backwards ? opposite(i) : i)];
   const Cell to{from.column + m.column, from.row + m.row};
   if (!frame_.contains(to)) return false;
+  if (!zones_.empty() && zones_.is_against(index_of(from), moved(heading, backwards))) return false;
   const double length = std::sqrt(static_cast<double>(m.column * m.column + m.row * m.row)) * frame_.cell;
   if (bounds_.at_least(from) >= margin_ + outer_ + length) return true;
   if (bounds_.at_most(from) <= margin_ + inner_ || bounds_.at_most(to) <= margin_ + inner_) return false;

@@ -9,6 +9,7 @@
 
 #include "waywright/planner/grid/grid_frame.hpp"
 #include "waywright/planner/grid/grid_search.hpp"
+#include "waywright/planner/grid/grid_zones.hpp"
 #include "waywright/planner/grid/motion_check.hpp"
 
 namespace waywright {
@@ -23,7 +24,7 @@ class HeadingSpace {
  public:
   static constexpr std::int64_t most_states = 1LL << 27;  ///< 1 GiB of records
 
-  HeadingSpace(const Problem& problem, const GridFrame& frame, const CellBounds& bounds, Neighbours neighbours, const HeadingCosts& costs);
+  HeadingSpace(const Problem& problem, const GridFrame& frame, const CellBounds& bounds, Neighbours neighbours, const HeadingCosts& costs, GridZones zones = {});
 
   int headings() const { return headings_; }
   double angle(int heading) const { return angles_[static_cast<std::size_t>(heading)]; }  ///< rad, world frame
@@ -32,6 +33,9 @@ class HeadingSpace {
   double turn(int heading) const { return turns_[static_cast<std::size_t>(heading)]; }
   int beside(int heading, int by) const { return (heading + by + headings_) % headings_; }
   bool is_drive_free(Cell from, int heading, bool backwards, MotionCheck& test) const;
+  /// What a metre of this drive costs by zones, on the average.
+  double factor(Cell from, int heading, bool backwards) const { return zones_.weighs() ? zones_.factor(index_of(from), moved(heading, backwards)) : 1.0; }
+  const GridZones& zones() const { return zones_; }
   bool is_turn_free(Cell at, int heading, MotionCheck& test) const;  ///< between this heading and the next
 
   const GridFrame& frame() const { return frame_; }
@@ -39,10 +43,14 @@ class HeadingSpace {
   const HeadingCosts& costs() const { return costs_; }
 
  private:
+  std::size_t index_of(Cell c) const { return static_cast<std::size_t>(c.row) * static_cast<std::size_t>(frame_.columns) + static_cast<std::size_t>(c.column); }
+  int moved(int heading, bool backwards) const { return backwards ? opposite(move(heading)) : move(heading); }
+
   const GridFrame& frame_;
   const CellBounds& bounds_;
   Neighbours neighbours_;
   HeadingCosts costs_;
+  GridZones zones_;
   int headings_;
   double margin_ = 0.0;         ///< m
   double outer_ = 0.0;          ///< m, of the footprint about its origin

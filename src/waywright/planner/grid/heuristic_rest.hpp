@@ -12,7 +12,9 @@ namespace waywright {
 
 class HeuristicRest {
  public:
-  HeuristicRest(Neighbours neighbours, const MoveWeights& weights, Heuristic heuristic) : neighbours_{neighbours}, weights_{weights}, heuristic_{heuristic} {}
+  /// `least`: what a metre costs at least.
+  HeuristicRest(Neighbours neighbours, const MoveWeights& weights, Heuristic heuristic, double least = 1.0)
+      : neighbours_{neighbours}, weights_{weights}, heuristic_{heuristic}, share_{least < 1.0 ? least * under : 1.0} {}
 
   /// Cells and what lies behind each. @pre not empty
   void aim_at(const std::vector<std::pair<Cell, std::uint32_t>>& ends) {
@@ -20,15 +22,15 @@ class HeuristicRest {
     for (const auto& [cell, behind] : ends) {
       low_ = {std::min(low_.column, cell.column), std::min(low_.row, cell.row)};
       high_ = {std::max(high_.column, cell.column), std::max(high_.row, cell.row)};
-      const std::uint32_t way = towards_middle(cell);
+      const std::uint32_t way = scaled(towards_middle(cell)) + (share_ < 1.0 ? 1 : 0);  // rounded up
       less_ = std::max(less_, way > behind ? way - behind : 0);
     }
   }
   std::uint32_t at(Cell c) const {
-    const std::uint32_t value = towards_middle(c);
+    const std::uint32_t value = scaled(towards_middle(c));
     return value > less_ ? value - less_ : 0;
   }
-  /// The same of free_way, where it and the neighbourhood are known when compiled.
+  /// The same of free_way, where it and the neighbourhood are known when compiled. @pre a metre costs a metre at least
   template <Neighbours neighbours>
   std::uint32_t at_free_way(Cell c) const {
     const std::uint32_t value = free_way(neighbours, weights_, c.column - middle_.column, c.row - middle_.row);
@@ -37,6 +39,8 @@ class HeuristicRest {
   bool may_be_end(Cell c) const { return c.column >= low_.column && c.column <= high_.column && c.row >= low_.row && c.row <= high_.row; }
 
  private:
+  static constexpr double under = 1.0 - 0x1p-20;  // never over a sum of weights
+  std::uint32_t scaled(std::uint32_t value) const { return share_ < 1.0 ? static_cast<std::uint32_t>(share_ * value) : value; }
   std::uint32_t towards_middle(Cell c) const {
     const int columns = c.column - middle_.column, rows = c.row - middle_.row;
     switch (heuristic_) {
@@ -46,7 +50,6 @@ class HeuristicRest {
       case Heuristic::manhattan: return free_way(Neighbours::four, weights_, columns, rows);
       case Heuristic::chebyshev: return static_cast<std::uint32_t>(std::max(std::abs(columns), std::abs(rows))) * weights_.scale;
       case Heuristic::euclidean: {
-        constexpr double under = 1.0 - 0x1p-20;  // never over a sum of weights
         const double squared = static_cast<double>(static_cast<std::int64_t>(columns) * columns + static_cast<std::int64_t>(rows) * rows);
         return static_cast<std::uint32_t>(under * weights_.scale * std::sqrt(squared));
       }
@@ -57,6 +60,7 @@ class HeuristicRest {
   Neighbours neighbours_;
   MoveWeights weights_;
   Heuristic heuristic_;
+  double share_ = 1.0;
   Cell middle_{};
   Cell low_{GridGraph::longest_side, GridGraph::longest_side}, high_{-1, -1};
   std::uint32_t less_ = 0;

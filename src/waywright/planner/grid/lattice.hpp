@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -54,6 +55,8 @@ struct MoveWeights {
 };
 inline constexpr int weight_levels = 3;
 MoveWeights move_weights(Neighbours neighbours, int level);
+/// A cost ≥ 0 in whole units; what 32 bits cannot hold is the greatest that they can, with which no search begins.
+inline std::uint32_t rounded_cost(double units) { return units < 4294967295.0 ? static_cast<std::uint32_t>(std::llround(units)) : 4294967295U; }
 
 /// What a search expects of the rest of the way. `free_way` is the exact length where nothing is in the way, for the neighbourhood that is
 /// searched. Of the others those of the publication: manhattan is too much for 8 and 16 neighbours, octile for 16 (the way found may then be

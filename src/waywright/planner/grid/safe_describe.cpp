@@ -35,6 +35,7 @@ PlannerDescription description(const char* name, const char* summary, PublishedM
                          return SafePlanner{name, options};
                        }};
   d.counts_expansions = true;
+  d.heeds_zones = [](const Parameters& p) { return std::get<std::string>(p.at("form")) == "corrected"; };
   return d;
 }
 

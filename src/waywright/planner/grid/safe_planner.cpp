@@ -51,7 +51,13 @@ class SafePlanner::Ready {
       bounds_.reset();
       return;
     }
+    auto zones = GridZones::make(problem.zones(), frame_, neighbours());
+    if (!zones) {
+      refused_ = zones.error();
+      return;
+    }
     graph_ = disc_graph(frame_, *bounds_, neighbours(), needed);
+    graph_.set_zones(std::move(*zones));
     if (options.method != PublishedMethod::line) set_danger(cells);
     if (options.method == PublishedMethod::boundary) {
       obstacles_.emplace(cells.columns, cells.rows, cells.occupied);
@@ -79,7 +85,7 @@ class SafePlanner::Ready {
     const Pose& goal = problem_.goal();
     if (start == goal) return tl::unexpected{failure(Status::no_path, "start and goal are the same pose, there is nothing to drive")};
     MotionCheck test{problem_, disc_};
-    if (distance(start.position(), goal.position()) <= 2.0 * frame_.cell && test.is_drive_free(start.position(), goal.position(), 0.0, connecting_margin(problem_))) {
+    if (distance(start.position(), goal.position()) <= 2.0 * frame_.cell && may_be_straight(start.position(), goal.position()) && test.is_drive_free(start.position(), goal.position(), 0.0, connecting_margin(problem_))) {
       return explained({}, fmt::format("Start and goal are within two cells of {:g} m: the way is straight, without a search.", frame_.cell));
     }
     if (ways_) return plan_published(budget);
@@ -139,9 +145,12 @@ class SafePlanner::Ready {
                    pose);
   }
 
-  std::vector<GridEnd> ends_at(const Pose& pose, MotionCheck& test) const {
+  /// Straight parts go against no direction and through no penalty: there it is searched. The published form knows no zones but forbidden ones.
+  bool may_be_straight(Vec2 from, Vec2 to) const { return options_.is_published || grid::is_plain_line(problem_.zones(), from, to); }
+
+  std::vector<GridEnd> ends_at(const Pose& pose, bool is_start, MotionCheck& test) const {
     std::vector<GridEnd> ends;
-    for (const DiscConnection& c : disc_connections(problem_, frame_, pose.position(), test)) ends.push_back({c.cell, c.length / frame_.cell});
+    for (const DiscConnection& c : disc_connections(problem_, frame_, pose.position(), is_start, test)) ends.push_back({c.cell, c.cost / frame_.cell});
     return ends;
   }
 
@@ -178,7 +187,7 @@ class SafePlanner::Ready {
   }
 
   PlanningResult plan_danger(Budget& budget, MotionCheck& test, const std::string& why) const {
-    const auto from = ends_at(problem_.start(), test), to = ends_at(problem_.goal(), test);
+    const auto from = ends_at(problem_.start(), true, test), to = ends_at(problem_.goal(), false, test);
     if (from.empty() || to.empty()) return tl::unexpected{not_connected(from.empty())};
     const GridAnswer answer = searched(from, to, budget, test);
     if (answer.ended != SearchEnd::found) return tl::unexpected{not_found(answer, budget)};
@@ -192,14 +201,14 @@ class SafePlanner::Ready {
     const Vec2 start = problem_.start().position(), goal = problem_.goal().position();
     const Sight sight{problem_, frame_, *bounds_, disc_.disc};
     const double margin = std::max(lattice_margin(problem_), keeps_ - disc_.disc);
-    const auto sees_goal = [&](Cell c) { return !first_crossing(cells_, middle_of(c), on_cells(goal)) && sight.is_free(frame_.centre(c), goal, margin); };
+    const auto sees_goal = [&](Cell c) { return may_be_straight(frame_.centre(c), goal) && !first_crossing(cells_, middle_of(c), on_cells(goal)) && sight.is_free(frame_.centre(c), goal, margin); };
     const BoundaryAnswer boundary = boundary_points({cells_, *obstacles_, *danger_, on_cells(start), on_cells(goal), sees_goal, true, [&] { return budget.exhausted(); }});
     if (budget.exhausted()) return tl::unexpected{nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, 0, budget, frame_.cell, "")};
-    if (boundary.kind == BoundaryAnswer::Kind::straight && sight.is_free(start, goal, connecting_margin(problem_))) return explained({}, "Nothing stands between start and goal: the way is straight, without a search.");
+    if (boundary.kind == BoundaryAnswer::Kind::straight && may_be_straight(start, goal) && sight.is_free(start, goal, connecting_margin(problem_))) return explained({}, "Nothing stands between start and goal: the way is straight, without a search.");
     if (boundary.kind != BoundaryAnswer::Kind::joined) {
       return plan_danger(budget, test, boundary.kind == BoundaryAnswer::Kind::none ? fmt::format("No boundary point leads to the goal ({}), so the search went all the way. ", boundary.why) : "");
     }
-    const auto from = ends_at(problem_.start(), test);
+    const auto from = ends_at(problem_.start(), true, test);
     if (from.empty()) return tl::unexpected{not_connected(true)};
     const GridAnswer answer = searched(from, {{boundary.last, 0.0}}, budget, test);
     if (answer.ended != SearchEnd::found) return tl::unexpected{not_found(answer, budget)};
@@ -218,13 +227,13 @@ class SafePlanner::Ready {
     const double margin = lattice_margin(problem_);
     const Vec2 from = on_cells(start), to = on_cells(goal);
     const double whole = distance(from, to);
-    const auto detours = detours_of(cells_, from, to, options_.local_radius / frame_.cell, [&](Vec2 a, Vec2 b) { return sight.is_free(in_world(a), in_world(b), margin); });
+    const auto detours = detours_of(cells_, from, to, options_.local_radius / frame_.cell, [&](Vec2 a, Vec2 b) { return may_be_straight(in_world(a), in_world(b)) && sight.is_free(in_world(a), in_world(b), margin); });
     std::vector<Action> actions;
     for (const Detour& d : detours) {
       std::vector<GridEnd> starts, goals;
-      if (d.begin <= 0.0) starts = ends_at(problem_.start(), test);
+      if (d.begin <= 0.0) starts = ends_at(problem_.start(), true, test);
       else starts = {{cell_on(from, to, d.begin), 0.0}};
-      if (d.end >= whole) goals = ends_at(problem_.goal(), test);
+      if (d.end >= whole) goals = ends_at(problem_.goal(), false, test);
       else goals = {{cell_on(from, to, d.end), 0.0}};
       if (starts.empty() || goals.empty()) return tl::unexpected{not_connected(starts.empty())};
       const GridAnswer answer = searched(starts, goals, budget, test);
@@ -273,6 +282,14 @@ class SafePlanner::Ready {
                                               turning.turns == 1 ? std::string{"once"} : fmt::format("{} times", turning.turns), turning.angle * 180.0 / pi));
     if (!problem_.footprint().is_disc()) {
       planned.explanation.push_back(fmt::format("It was searched for the disc around the footprint, {:.3f} m, which can turn wherever it can stand; astar finds narrower ways.", disc_.disc));
+    }
+    if (!options_.is_published) {
+      if (std::string sentence = grid::zone_sentence(problem_, planned.path); !sentence.empty()) {
+        if (options_.method != PublishedMethod::danger && problem_.zones().weighs()) {
+          sentence += " Zones are weighed where it searches over cells; straight parts go around penalties, and look for no preferred zone.";
+        }
+        planned.explanation.push_back(std::move(sentence));
+      }
     }
     return planned;
   }

@@ -32,13 +32,22 @@ double length_of(const std::vector<Vec2>& points) {
   return sum;
 }
 
-std::vector<Vec2> pulled_taut(std::vector<Vec2> points, const Sight& sight, double margin, double end_margin) {
+double cost_of(const std::vector<Vec2>& points, const ZoneRules& zones) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += zones.cost(points[i - 1], points[i]);
+  return sum;
+}
+
+std::vector<Vec2> pulled_taut(std::vector<Vec2> points, const Sight& sight, double margin, double end_margin, const ZoneRules* zones) {
+  const auto is_no_worse = [&](Vec2 from, Vec2 past, Vec2 to) {
+    return zones == nullptr || (zones->may_be_driven(from, to) && zones->cost(from, to) <= zones->cost(from, past) + zones->cost(past, to));
+  };
   constexpr int most_passes = 20;
   for (int pass = 0; pass < most_passes; ++pass) {
     std::vector<Vec2> kept{points.front()};
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
       const bool is_end = kept.size() == 1 || i + 2 == points.size();
-      if (!sight.is_free(kept.back(), points[i + 1], is_end ? end_margin : margin)) kept.push_back(points[i]);
+      if (!is_no_worse(kept.back(), points[i], points[i + 1]) || !sight.is_free(kept.back(), points[i + 1], is_end ? end_margin : margin)) kept.push_back(points[i]);
     }
     kept.push_back(points.back());
     const bool is_done = kept.size() == points.size();

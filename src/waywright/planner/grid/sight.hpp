@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "waywright/planner/grid/grid_frame.hpp"
+#include "waywright/scenario/zone_rules.hpp"
 
 namespace waywright {
 
@@ -22,9 +23,11 @@ class Sight {
 };
 
 /// The same ends, fewer corners: each is left out that the ones before and after it see each other past. Never longer. The first and last leg need
-/// `end_margin`, the others `margin`.
-std::vector<Vec2> pulled_taut(std::vector<Vec2> points, const Sight& sight, double margin, double end_margin);
+/// `end_margin`, the others `margin`. With `zones` no leg is new that breaks a directed zone's rule, or that costs more than what it replaces.
+std::vector<Vec2> pulled_taut(std::vector<Vec2> points, const Sight& sight, double margin, double end_margin, const ZoneRules* zones = nullptr);
 
 double length_of(const std::vector<Vec2>& points);
+/// The same as zones weigh it.
+double cost_of(const std::vector<Vec2>& points, const ZoneRules& zones);
 
 }  // namespace waywright

@@ -18,6 +18,7 @@ struct ThetaQuery {
   std::optional<std::int64_t> expansions{};  ///< at most so many
   Budget* budget = nullptr;
   std::function<bool(Cell, int move)> is_free{};  ///< of moves that have to be asked for
+  const ZoneRules* zones = nullptr;               ///< that direct or weigh; starts and goals have what they cost as lengths
 };
 
 struct ThetaAnswer {
@@ -28,16 +29,20 @@ struct ThetaAnswer {
 
 class ThetaSearch {
  public:
-  /// Not proven to be the shortest of any kind; deterministic. 16 bytes a cell, kept from search to search.
+  /// Not proven to be the shortest of any kind; deterministic. Where zones weigh, a line costs what ZoneRules says of it, cut exactly where it crosses outlines, and a cell is
+  /// reached from its parent's parent or from its parent, whichever costs less. 16 bytes a cell, kept from search to search.
   ThetaAnswer run(const GridGraph& graph, const GridFrame& frame, const Sight& sight, const ThetaQuery& query);
 
  private:
   struct Visit {
-    double length = 0.0;       ///< m from the start
+    double length = 0.0;       ///< m from the start, as zones weigh it
     std::uint32_t parent = 0;  ///< index of a cell; the start itself: from_start
     std::uint16_t generation = 0;
     bool is_closed = false;
   };
+  template <class Lines>
+  ThetaAnswer run(const GridGraph& graph, const GridFrame& frame, const Sight& sight, const ThetaQuery& query, const Lines& lines);
+
   std::vector<Visit> visits_;
   std::uint16_t generation_ = 0;
 };

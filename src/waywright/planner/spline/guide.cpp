@@ -24,6 +24,7 @@ std::optional<Problem> free_problem(const Problem& problem, double disc, double 
     scenario.map.boundaries.push_back(station->area);
     scenario.map.obstacles.push_back(station->shelf.outline());
   }
+  scenario.zones = problem.scenario().zones;
   scenario.vehicle = problem.vehicle();
   scenario.vehicle.drive = Differential{1.0};
   scenario.vehicle.limits = {};

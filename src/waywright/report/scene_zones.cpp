@@ -1,0 +1,109 @@
+#include "waywright/report/scene_zones.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "waywright/core/result.hpp"
+#include "waywright/geometry/convex_parts.hpp"
+
+namespace waywright {
+namespace {
+
+const char* style_of(ZoneType type) {
+  switch (type) {
+    case ZoneType::forbidden: return "zoneforbidden";
+    case ZoneType::directed: return "zonedirected";
+    case ZoneType::preferred: return "zonepreferred";
+    case ZoneType::penalty: return "zonepenalty";
+    case ZoneType::speed_limit: return "zonespeed";
+  }
+  return "";
+}
+
+/// A point inside: the middle of the box where that is, else of the largest convex part.
+Vec2 inner_point(const Ring& area) {
+  const Box box = bounding_box(area);
+  const Vec2 middle = 0.5 * (box.low + box.high);
+  if (contains(area, middle)) return middle;
+  const std::vector<Ring> parts = convex_parts(area);
+  const auto largest = std::max_element(parts.begin(), parts.end(), [](const Ring& a, const Ring& b) { return signed_area(a) < signed_area(b); });
+  Vec2 sum{};
+  for (const Vec2 p : *largest) sum = sum + p;
+  return (1.0 / static_cast<double>(largest->size())) * sum;
+}
+
+/// Arrows along the direction, one after another through the zone's middle.
+void draw_arrows(SvgWriter& svg, const Zone& zone) {
+  const double scale = svg.view().scale;
+  const Vec2 along = unit(zone.direction), across = left_of(along), middle = inner_point(zone.area);
+  const double length = 34.0 / scale, apart = 110.0 / scale, head = 9.0 / scale;
+  const auto draw_at = [&](Vec2 at, double long_as) {
+    const Vec2 tail = at - (0.5 * long_as) * along, tip = at + (0.5 * long_as) * along;
+    svg.line(tail, tip - (0.6 * head) * along, "zonearrow");
+    svg.polygon({tip, tip - head * along + (0.5 * head) * across, tip - head * along - (0.5 * head) * across}, "zonearrowhead");
+  };
+  const auto fits = [&](Vec2 at) { return contains(zone.area, at - (0.7 * length) * along) && contains(zone.area, at) && contains(zone.area, at + (0.7 * length) * along); };
+  constexpr int most = 40;
+  bool is_any = false;
+  for (const double side : {0.5, -0.5}) {  // none in the middle, where the name stands
+    for (int k = 0; k < most; ++k) {
+      const Vec2 at = middle + (side * (1 + 2 * k) * apart) * along;
+      if (!fits(at)) break;
+      draw_at(at, length);
+      is_any = true;
+    }
+  }
+  if (!is_any) draw_at(middle, fits(middle) ? length : 0.6 * length);
+}
+
+std::string label_of(const Zone& zone) {
+  std::string value;
+  switch (zone.type) {
+    case ZoneType::forbidden:
+    case ZoneType::directed: break;
+    case ZoneType::preferred:
+    case ZoneType::penalty: value = fmt::format("× {:g}", zone.factor); break;
+    case ZoneType::speed_limit: value = fmt::format("{:g} m/s", zone.speed); break;
+  }
+  const std::string name = one_line(zone.name);
+  return name.empty() || value.empty() ? name + value : name + ", " + value;
+}
+
+}  // namespace
+
+void draw_zone_areas(SvgWriter& svg, const std::vector<Zone>& zones) {
+  if (zones.empty()) return;
+  // Drawn with the colours of the page's style, which follow its light and dark.
+  svg.raw("<defs><pattern id=\"zonehatch\" width=\"8\" height=\"8\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><rect class=\"zonehatchline\" width=\"2\" height=\"8\"/></pattern></defs>\n");
+  for (const Zone& zone : zones) {
+    svg.polygon(zone.area, style_of(zone.type));
+    if (zone.type == ZoneType::directed) draw_arrows(svg, zone);
+  }
+}
+
+void draw_zone_names(SvgWriter& svg, const std::vector<Zone>& zones, const Box& region) {
+  for (const Zone& zone : zones) {
+    const std::string text = label_of(zone);
+    const Vec2 at = inner_point(zone.area);
+    if (text.empty() || !region.contains(at)) continue;
+    svg.label(at, {0.0, 4.0}, text, "note middle");
+  }
+}
+
+std::vector<LegendEntry> zone_legend(const std::vector<Zone>& zones) {
+  std::vector<LegendEntry> entries;
+  for (const ZoneType type : zone_types) {
+    if (std::none_of(zones.begin(), zones.end(), [&](const Zone& z) { return z.type == type; })) continue;
+    const char* text = type == ZoneType::forbidden ? "forbidden zone"
+                       : type == ZoneType::directed ? "one way, along the arrows"
+                       : type == ZoneType::preferred ? "preferred, a metre costs less"
+                       : type == ZoneType::penalty ? "penalty, a metre costs more"
+                                                   : "speed limit";
+    entries.push_back({style_of(type), LegendEntry::Shape::box, text});
+  }
+  return entries;
+}
+
+}  // namespace waywright

@@ -1,0 +1,95 @@
+#include "waywright/scenario/zone_rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "waywright/geometry/obstacle_index.hpp"
+#include "waywright/geometry/stretches.hpp"
+
+namespace waywright {
+namespace {
+
+constexpr double on_outline = 1e-6;  // m
+
+Box box_of(Vec2 a, Vec2 b) { return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}}; }
+
+bool is_inside(const ZoneRules::Weighed& zone, Vec2 point) { return zone.box.contains(point) && inner_radius(zone.area, point) > on_outline; }
+
+double bounded(double product) { return std::clamp(product, ZoneRules::least_product, ZoneRules::most_product); }
+
+/// The least (or greatest) product that zones of one kind can have at a point: at most those whose boxes meet overlap there.
+double extreme_product(const std::vector<ZoneRules::Weighed>& zones, bool least) {
+  double extreme = 1.0;
+  for (const ZoneRules::Weighed& zone : zones) {
+    if ((zone.factor < 1.0) != least) continue;
+    double product = 1.0;
+    for (const ZoneRules::Weighed& other : zones) {
+      if ((other.factor < 1.0) == least && meet(zone.box, other.box)) product = bounded(product * other.factor);
+    }
+    extreme = least ? std::min(extreme, product) : std::max(extreme, product);
+  }
+  return extreme;
+}
+
+}  // namespace
+
+ZoneRules::ZoneRules(const std::vector<Zone>& zones) {
+  for (std::size_t i = 0; i < zones.size(); ++i) {
+    const Zone& zone = zones[i];
+    const Box box = bounding_box(zone.area);
+    switch (zone.type) {
+      case ZoneType::forbidden: break;
+      case ZoneType::directed: directed_.push_back({title_of(zone, i), zone.area, box, zone.direction, unit(zone.direction)}); break;
+      case ZoneType::preferred:
+      case ZoneType::penalty: weighed_.push_back({zone.area, box, zone.factor}); break;
+      case ZoneType::speed_limit: {
+        World area;
+        area.add_obstacle(zone.area, title_of(zone, i));
+        area.build();
+        limits_.push_back({title_of(zone, i), std::move(area), box, zone.speed});
+        break;
+      }
+    }
+  }
+  least_factor_ = extreme_product(weighed_, true);
+  most_factor_ = extreme_product(weighed_, false);
+}
+
+double ZoneRules::factor_at(Vec2 point) const {
+  double product = 1.0;
+  for (const Weighed& zone : weighed_) {
+    if (is_inside(zone, point)) product *= zone.factor;
+  }
+  return bounded(product);
+}
+
+double ZoneRules::cost(Vec2 from, Vec2 to) const {
+  const double length = distance(from, to);
+  const Box box = box_of(from, to);
+  std::vector<double> shares{0.0, 1.0};
+  bool is_any = false;
+  for (const Weighed& zone : weighed_) {
+    if (!meet(zone.box, box)) continue;
+    is_any = true;
+    add_crossings(zone.area, from, to, shares);
+  }
+  if (!is_any) return length;
+  std::sort(shares.begin(), shares.end());
+  double more = 0.0;  // than the length, as a share of it: exactly none where no zone is
+  for (std::size_t i = 1; i < shares.size(); ++i) {
+    const double part = shares[i] - shares[i - 1];
+    if (part > 0.0) more += part * (factor_at(from + 0.5 * (shares[i - 1] + shares[i]) * (to - from)) - 1.0);
+  }
+  return (1.0 + more) * length;
+}
+
+bool ZoneRules::may_be_driven(Vec2 from, Vec2 to) const {
+  if (from == to) return true;
+  const Box box = box_of(from, to);
+  return std::all_of(directed_.begin(), directed_.end(), [&](const Directed& zone) {
+    return !meet(zone.box, box) || !zone.is_against(to - from, planned_course) || stretches_deeper_than(zone.area, planned_depth, from, to).empty();
+  });
+}
+
+}  // namespace waywright
