@@ -223,6 +223,59 @@ TEST(ClearanceOptimal, MoreWeightKeepsFartherAway) {
   EXPECT_GE(long_way, short_way - 1e-9);
 }
 
+Scenario open_hall() {
+  Scenario s;
+  s.map.boundaries = {rectangle({0, -6}, {12, 6})};
+  s.vehicle = vehicle_of(2);
+  s.start = {2, 0, 0};
+  s.mission = Pose{10, 0, 0};
+  return s;
+}
+
+Zone zone(ZoneType type, Ring area, double value) {
+  Zone z;
+  z.type = type;
+  z.area = std::move(area);
+  (type == ZoneType::directed ? z.direction : z.factor) = value;
+  return z;
+}
+
+// Straight on through a strip that costs thrice, 8 + 2·2 m; or around a strip that is too dear.
+TEST(ClearanceOptimal, WeighsPenaltyZonesAgainstTheWayAround) {
+  Scenario s = open_hall();
+  s.zones = {zone(ZoneType::penalty, rectangle({5, -5.9}, {7, 5.9}), 3.0)};
+  const Plan through = planned(s);
+  ASSERT_EQ(through.status, Status::solved) << through.reason;
+  EXPECT_NEAR(through.metrics.length, 8.0, 1e-6);
+  EXPECT_NEAR(cost_of(through), 12.0, 1e-6);
+  s.zones = {zone(ZoneType::penalty, rectangle({5, -1.0}, {7, 5.9}), 50.0)};
+  const Plan around = planned(s);
+  ASSERT_EQ(around.status, Status::solved) << around.reason;
+  // No way is shorter than the taut one around the two corners.
+  EXPECT_GE(around.metrics.length, 2.0 * std::hypot(3.0, 1.0) + 2.0 - 1e-9);
+  EXPECT_LE(around.metrics.length, 2.0 * std::hypot(3.0, 1.0) + 2.0 + 0.6);
+  EXPECT_NEAR(cost_of(around), around.metrics.length, 0.3);
+}
+
+TEST(ClearanceOptimal, PreferredLanesAttract) {
+  Scenario s = open_hall();
+  s.zones = {zone(ZoneType::preferred, rectangle({2, 1.5}, {10, 2.5}), 0.3)};
+  const Plan plan = planned(s);
+  ASSERT_EQ(plan.status, Status::solved) << plan.reason;
+  EXPECT_GT(plan.metrics.length, 8.5);
+  EXPECT_LT(cost_of(plan), 8.0 - 1e-3);
+}
+
+TEST(ClearanceOptimal, KeepsToTheDirectionOfZones) {
+  Scenario s = open_hall();
+  s.zones = {zone(ZoneType::directed, rectangle({5, -2.0}, {7, 2.0}), pi)};
+  const Plan around = planned(s);
+  ASSERT_EQ(around.status, Status::solved) << around.reason;
+  EXPECT_GE(around.metrics.length, 2.0 * std::hypot(3.0, 2.0) + 2.0 - 0.01);
+  s.zones.front().direction = 0.3;
+  EXPECT_NEAR(planned(s).metrics.length, 8.0, 1e-6);
+}
+
 TEST(ClearanceOptimal, WhatCannotBeReachedIsKnownWithoutASearchAndLimitsAreKept) {
   Scenario s;
   s.map.boundaries = {rectangle({0, 0}, {12, 6})};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "waywright/planner/grid/grid_words.hpp"
@@ -15,7 +16,7 @@ using grid::counted, grid::failure;
 class ClearanceOptimalPlanner::Ready {
  public:
   Ready(const Problem& problem, const ClearanceOptimalOptions& options) : problem_{problem}, graph_{problem, options.lattice} {
-    if (graph_.refused().empty()) rest_.emplace(graph_, graph_.options().costs);
+    if (graph_.refused().empty()) rest_.emplace(graph_, graph_.options().costs, std::min(1.0, problem.zones().least_factor()));
   }
   Ready(const Ready&) = delete;
   Ready& operator=(const Ready&) = delete;
@@ -77,6 +78,7 @@ class ClearanceOptimalPlanner::Ready {
                                  of_lattice));
     }
     text.push_back(fmt::format("It is {:.3f} m long, {:.3f} m of its cost are danger, bends and manoeuvres; the straight line from start to goal is {:.3f} m.", metres, way.cost - metres, straight));
+    if (cost.heeds_zones()) text.push_back("A metre in preferred and penalty zones costs its factor times that, and no motion goes against the direction of a zone.");
     Alternative lattice{"best way over the lattice", !options.smooth, of_lattice, fmt::format("Costs {:.4f} m and is bound to the lattice's cells and headings.", of_lattice), {}, {}};
     for (const Stretch& s : answer.stretches) {
       std::vector<SteppedPose> poses;
@@ -143,6 +145,7 @@ PlannerDescription clearance_optimal_description() {
         return ClearanceOptimalPlanner{options};
       }};
   d.counts_expansions = true;
+  d.heeds_zones = [](const Parameters&) { return true; };
   return d;
 }
 

@@ -41,6 +41,7 @@ struct DangerCosts {
 /// A pose of a motion from the origin, with what comes of the way to it.
 struct CostedPose {
   Vec2 offset{};         ///< m, in world axes
+  Vec2 course{};         ///< direction of travel, a unit vector in world axes; (0, 0) where it turns on the spot
   double heading = 0.0;  ///< of the vehicle, rad, world
   double metres = 0.0;   ///< what the way from the one before counts as where nothing is near
   double sweep = 0.0;    ///< m, no point of the footprint moves farther on that way
@@ -62,8 +63,16 @@ class MotionCost {
 
   std::vector<CostedPose> poses_of(const Stretch& stretch, double step) const;
 
-  /// Cost by the trapezoidal rule over the poses, moved by `at`; empty where the motion is not free. `is_free_between` is asked where the poses do not tell whether
+  /// Cost by the trapezoidal rule over the poses, moved by `at`, weighed by the zones that it leads through; empty where the motion is not free, or goes against the direction of a
+  /// zone. `is_free_between` is asked where the poses do not tell whether
   /// what lies between them keeps the margin.
+  /// Of a stretch it is no less than this, m.
+  double at_least(const Stretch& stretch) const { return stretch.direction == 0 ? costs_.metres_of(stretch) : least_factor() * costs_.metres_of(stretch); }
+  /// A metre in any zone counts as no less.
+  double least_factor() const { return std::min(1.0, zones_.least_factor()); }
+  /// Zones that weigh ways, or tell their direction.
+  bool heeds_zones() const { return zones_.weighs() || zones_.directs(); }
+
   template <class Exact>
   std::optional<double> of(std::span<const CostedPose> poses, Vec2 at, Exact&& is_free_between) {
     double sum = 0.0, before = 0.0, cost_before = 0.0;
@@ -74,7 +83,13 @@ class MotionCost {
       if (!(clearance > margin_)) return std::nullopt;
       const double cost = costs_.density(clearance - required_);
       if (i > 0) {
-        sum += 0.5 * p.metres * (cost_before + cost);
+        double metres = p.metres;
+        if (heeds_zones()) {
+          const auto factor = zone_factor(poses[i - 1], p, at);
+          if (!factor) return std::nullopt;
+          metres *= *factor;
+        }
+        sum += 0.5 * metres * (cost_before + cost);
         is_open = is_open || 0.5 * (before + clearance - p.sweep) <= margin_;
       }
       before = clearance;
@@ -89,7 +104,11 @@ class MotionCost {
   bool is_free(const Stretch& stretch);
 
  private:
+  /// What the way between two poses counts more or less; empty where it goes against a zone's direction.
+  std::optional<double> zone_factor(const CostedPose& from, const CostedPose& to, Vec2 at) const;
+
   const Problem& problem_;
+  const ZoneRules& zones_;
   DangerCosts costs_;
   double required_, margin_;
   SweptBody body_;

@@ -43,10 +43,10 @@ double LatticeRest::motion_at_least(std::uint32_t from, std::uint32_t to, const 
     if (there <= margin) return std::numeric_limits<double>::infinity();
     sum += 2.0 * costs_.away(there - required, half);
   }
-  return std::max(motion.metres, motion.metres / motion.length * sum * (1.0 - rounding));
+  return least_factor_ * std::max(motion.metres, motion.metres / motion.length * sum * (1.0 - rounding));
 }
 
-LatticeRest::LatticeRest(const LatticeGraph& graph, const DangerCosts& costs) : graph_{graph}, costs_{costs} {
+LatticeRest::LatticeRest(const LatticeGraph& graph, const DangerCosts& costs, double least_factor) : graph_{graph}, costs_{costs}, least_factor_{least_factor} {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   rest_.assign(graph.cells(), infinity);
   const std::vector<const MotionPrimitive*> motions = least_motions(graph.primitives());
@@ -57,7 +57,7 @@ LatticeRest::LatticeRest(const LatticeGraph& graph, const DangerCosts& costs) : 
     rest_[cell] = cost;
     open.push({cost, cell});
   };
-  for (const GoalMotion& m : graph.goal_motions()) reach(m.cell, m.metres);
+  for (const GoalMotion& m : graph.goal_motions()) reach(m.cell, least_factor * m.metres);
   double until = infinity;
   known_ = infinity;
   is_cut_off_ = true;
@@ -76,7 +76,7 @@ LatticeRest::LatticeRest(const LatticeGraph& graph, const DangerCosts& costs) : 
     }
     for (const MotionPrimitive* m : motions) {
       const auto before = graph.moved(cell, {-m->step.column, -m->step.row});
-      if (!before || cost + m->metres >= rest_[*before]) continue;
+      if (!before || cost + least_factor * m->metres >= rest_[*before]) continue;
       reach(*before, cost + motion_at_least(*before, cell, *m));
     }
   }

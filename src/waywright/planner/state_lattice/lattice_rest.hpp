@@ -14,7 +14,8 @@ namespace waywright {
 class LatticeRest {
  public:
   /// Searched until all is known up to some way beyond the start; the rest is at least what the farthest known cell needs.
-  LatticeRest(const LatticeGraph& graph, const DangerCosts& costs);
+  /// `least_factor`: of a metre in any zone.
+  LatticeRest(const LatticeGraph& graph, const DangerCosts& costs, double least_factor = 1.0);
 
   double operator()(std::uint32_t cell) const { return rest_[cell] < known_ ? rest_[cell] : known_; }
   /// No way leads from the start's cell.
@@ -25,6 +26,7 @@ class LatticeRest {
  private:
   const LatticeGraph& graph_;
   DangerCosts costs_;
+  double least_factor_;
   std::vector<double> rest_;
   double known_ = 0.0;
   bool is_cut_off_ = false;

@@ -113,7 +113,7 @@ class Search {
     const auto [begin, end] = graph_.goal_motions_of(cell);
     for (std::size_t i = begin; i < end; ++i) {
       const GoalMotion& m = graph_.goal_motions()[i];
-      if (m.heading == heading) push({0.0, so_far + changing(at, m.direction) + m.metres, at, none, static_cast<std::uint32_t>(i)}, cell);
+      if (m.heading == heading) push({0.0, so_far + changing(at, m.direction) + cost_.least_factor() * m.metres, at, none, static_cast<std::uint32_t>(i)}, cell);
     }
   }
 
@@ -146,7 +146,7 @@ class Search {
 
   std::optional<double> cost_of(std::uint32_t cell, const MotionPrimitive& p) {
     const Vec2 at = graph_.place(cell);
-    if (graph_.distance_at_least(at + p.middle) - p.reach - cost_.radius() >= cost_.no_danger_from()) return p.metres;
+    if (!cost_.heeds_zones() && graph_.distance_at_least(at + p.middle) - p.reach - cost_.radius() >= cost_.no_danger_from()) return p.metres;
     return cost_.of(p.poses, at, [&] { return cost_.is_free(graph_.stretch(cell, p)); });
   }
 

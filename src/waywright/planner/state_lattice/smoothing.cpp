@@ -59,7 +59,7 @@ class Smoother {
 
   /// Where it is free and costs less.
   std::optional<double> evaluated(const Stretch& stretch, double than) {
-    if (cost_.costs().metres_of(stretch) >= than) return std::nullopt;
+    if (cost_.at_least(stretch) >= than) return std::nullopt;
     ++evaluations_;
     const auto cost = cost_.of(stretch, look_step);
     return cost && *cost < than ? cost : std::nullopt;
@@ -117,7 +117,7 @@ class Smoother {
         const Clothoid &first = parts[i].stretch.curves.front(), &last = parts[j].stretch.curves.back();
         const Pose to = end_course(last);
         // It can cost no less than the straight line.
-        if (best[i] + distance(first.start.position(), to.position()) >= best[j + 1]) continue;
+        if (best[i] + cost_.least_factor() * distance(first.start.position(), to.position()) >= best[j + 1]) continue;
         auto curves = fitted_within(first.start, first.curvature, to, end_curvature(last), limits_);
         if (curves.empty()) continue;
         Part part{Stretch{parts[i].stretch.direction, std::move(curves), {}}, 0.0};
@@ -190,14 +190,14 @@ class Smoother {
     const Clothoid &first = a.stretch.curves.front(), &last = b.stretch.curves.back();
     const double now = a.cost + b.cost;
     const Pose to = end_course(last);
-    if (distance(first.start.position(), there.position()) + distance(there.position(), to.position()) >= now) return false;
+    if (cost_.least_factor() * (distance(first.start.position(), there.position()) + distance(there.position(), to.position())) >= now) return false;
     auto before = fitted_within(first.start, first.curvature, there, curvature, limits_);
     if (before.empty()) return false;
     auto after = fitted_within(there, curvature, to, end_curvature_of(b.stretch.curves), limits_);
     if (after.empty()) return false;
     Part x{Stretch{a.stretch.direction, std::move(before), {}}, 0.0}, y{Stretch{b.stretch.direction, std::move(after), {}}, 0.0};
     const double enough = now - worthwhile;
-    const auto one = evaluated(x.stretch, enough - cost_.costs().metres_of(y.stretch));
+    const auto one = evaluated(x.stretch, enough - cost_.at_least(y.stretch));
     if (!one) return false;
     const auto two = evaluated(y.stretch, enough - *one);
     if (!two) return false;

@@ -42,6 +42,16 @@ Scenario small_hall(Random& random, bool is_tricycle) {
   return s;
 }
 
+/// A preferred, a penalty and a directed zone somewhere.
+void add_zones(Scenario& s, Random& random) {
+  const auto area = [&] { return transformed(rectangle({-0.8, -0.6}, {0.8, 0.6}), Frame{make_pose({random.uniform(0.5, 4.5), random.uniform(0.5, 3.5)}, random.uniform(-1, 1))}); };
+  s.zones.push_back({ZoneType::preferred, "", area(), 0.0, random.uniform(0.2, 0.9), 1.0});
+  s.zones.push_back({ZoneType::penalty, "", area(), 0.0, random.uniform(1.2, 6.0), 1.0});
+  s.zones.push_back({ZoneType::directed, "", area(), random.uniform(-3, 3), 1.0, 1.0});
+}
+
+LatticeRest rest_of(const LatticeGraph& graph, const MotionCost& cost) { return LatticeRest{graph, graph.options().costs, cost.least_factor()}; }
+
 LatticeOptions coarse() {
   LatticeOptions options;
   options.cell = 0.25;
@@ -141,15 +151,17 @@ TEST(LatticeSearch, FindsTheOptimumOfItsGraph) {
   Random random{11};
   int found = 0;
   for (int i = 0; i < 24; ++i) {
-    const Problem problem = Problem::prepare(small_hall(random, i % 2 == 0)).value();
+    Scenario hall = small_hall(random, i % 2 == 0);
+    if (i % 3 == 0) add_zones(hall, random);
+    const Problem problem = Problem::prepare(hall).value();
     LatticeOptions options = coarse();
     options.may_reverse = i % 5 != 0;
     options.costs.weight = i % 4 == 1 ? 0.0 : random.uniform(0.0, 20.0);
     options.costs.range = random.uniform(0.1, 1.0);
     const LatticeGraph graph{problem, options};
     ASSERT_TRUE(graph.refused().empty()) << graph.refused();
-    const LatticeRest rest{graph, graph.options().costs};
     MotionCost cost{problem, graph.options().costs, graph.margin()};
+    const LatticeRest rest = rest_of(graph, cost);
     const double truth = exhaustive(graph, cost);
     Budget budget;
     const LatticeAnswer answer = search_lattice(graph, rest, cost, 0.0, budget);
@@ -188,12 +200,14 @@ TEST(LatticeSearch, FindsTheOptimumOfItsGraph) {
 TEST(LatticeRest, IsConsistentWithEveryMotion) {
   Random random{17};
   for (int i = 0; i < 8; ++i) {
-    const Problem problem = Problem::prepare(small_hall(random, i % 2 == 0)).value();
+    Scenario hall = small_hall(random, i % 2 == 0);
+    if (i % 2 == 1) add_zones(hall, random);
+    const Problem problem = Problem::prepare(hall).value();
     LatticeOptions options = coarse();
     options.costs.weight = random.uniform(1.0, 20.0);
     const LatticeGraph graph{problem, options};
-    const LatticeRest rest{graph, graph.options().costs};
     MotionCost cost{problem, graph.options().costs, graph.margin()};
+    const LatticeRest rest = rest_of(graph, cost);
     int looked = 0;
     for (std::uint32_t cell = 0; cell < graph.cells(); ++cell) {
       for (int h = 0; h < lattice_headings; ++h) {
@@ -204,12 +218,12 @@ TEST(LatticeRest, IsConsistentWithEveryMotion) {
           if (!motion) continue;
           ++looked;
           ASSERT_LE(rest(cell), *motion + rest(*there) + 1e-9);
-          ASSERT_LE(rest.motion_at_least(cell, *there, p), *motion + 1e-9);
+          ASSERT_LE(p.step == LatticeStep{} ? p.metres : rest.motion_at_least(cell, *there, p), *motion + 1e-9);
           ASSERT_GT(graph.clearance_at_most(*there), graph.margin()) << "a state that the footprint can stand in counts as blocked";
         }
       }
       const auto [begin, end] = graph.goal_motions_of(cell);
-      for (std::size_t k = begin; k < end; ++k) ASSERT_LE(rest(cell), graph.goal_motions()[k].metres + 1e-9);
+      for (std::size_t k = begin; k < end; ++k) ASSERT_LE(rest(cell), cost.least_factor() * graph.goal_motions()[k].metres + 1e-9);
     }
     EXPECT_GT(looked, 1000);
   }
@@ -264,8 +278,8 @@ TEST(Smoothing, NeverDearerAlwaysFreeContinuousAndBetweenTheSameEnds) {
   for (int i = 0; i < 20; ++i) {
     const Problem problem = Problem::prepare(small_hall(random, i % 2 == 0)).value();
     const LatticeGraph graph{problem, coarse()};
-    const LatticeRest rest{graph, graph.options().costs};
     MotionCost cost{problem, graph.options().costs, graph.margin()};
+    const LatticeRest rest = rest_of(graph, cost);
     Budget budget;
     const LatticeAnswer answer = search_lattice(graph, rest, cost, 0.0, budget);
     if (answer.ended != LatticeAnswer::End::found) continue;
