@@ -344,7 +344,7 @@ TEST(Chain, IsSampledEvenly) {
 TEST(MapObjects, CornersAndWholeFootprintAgreeWithTheWorld) {
   for (const char* map : {"low", "medium", "high"}) {
     const Problem problem = Problem::prepare(fixture_scenario(map)).value();
-    const MapObjects objects{problem};
+    MapObjects objects{problem};
     Random random{4};
     std::vector<Pose> poses;
     for (int i = 0; i < 500; ++i) poses.push_back({random.uniform(-1, 14), random.uniform(-1, 12), random.uniform(-pi, pi)});

@@ -131,10 +131,11 @@ Canvas canvas_for(const Problem& problem, const std::vector<const Plan*>& plans,
 }
 
 Canvas small_canvas(const Problem& problem, const Plan& plan) {
-  constexpr double side = 210.0;                    // px, of a square one
+  constexpr double usual = 210.0, most = 420.0;     // px, of a square one
+  constexpr double usual_extent = 15.0;             // m, from where it grows
   constexpr double tallest = 2.0, widest = 6.0;     // height to width and width to height: what is thinner gets more of the map
   constexpr double flat = 2.0, least_height = 150.0, most_width = 900.0;  // from where on it is wide, and by how much; px
-  constexpr double least_margin = 0.4, share = 0.04;  // m; of the longer side
+  constexpr double least_margin = 0.7, share = 0.06;  // m; of the longer side
   std::vector<Vec2> points;
   add_ways(points, problem, {&plan});
   if (const auto* station = std::get_if<Station>(&problem.scenario().mission)) add_ring(points, station->shelf.outline());
@@ -144,7 +145,7 @@ Canvas small_canvas(const Problem& problem, const Plan& plan) {
   const double margin_here = std::max(least_margin, share * std::max(inner.x, inner.y));
   Vec2 size = inner + 2.0 * Vec2{margin_here, margin_here};
   size = {std::max(size.x, size.y / tallest), std::max(size.y, size.x / widest)};
-  const double aspect = size.x / size.y;
+  const double aspect = size.x / size.y, side = std::clamp(usual * std::sqrt(std::max(size.x, size.y) / usual_extent), usual, most);
   const double height = aspect >= flat ? std::min(std::max(least_height, side / std::sqrt(aspect)), most_width / aspect) : side / std::sqrt(aspect);
   return canvas_of({middle - 0.5 * size, middle + 0.5 * size}, height / size.y);
 }

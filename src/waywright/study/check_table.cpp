@@ -58,7 +58,7 @@ std::string link_to(const std::string& folder) {
 }
 
 constexpr std::string_view check_styles = R"(
-body{max-width:1400px}.check td{vertical-align:middle}.check .picture img{display:block;max-width:100%;height:auto;border:1px solid var(--line)}.check .wide td{border-bottom:none;padding-bottom:2px}.check .narrow{min-width:160px}
+body{max-width:1400px}.check td{vertical-align:middle}.check .picture img{display:block;max-width:100%;height:auto;border:1px solid var(--line)}.check .above td{border-bottom:none;padding-bottom:2px}.check .beside img{max-width:none}
 .check th,.check td{padding-right:14px}.check th{vertical-align:bottom}.check .against{min-width:9em}.wrap{overflow-x:auto}.check .figure{text-align:right}.check td.figure{white-space:nowrap}a{color:inherit}.check .place{font-weight:600}.check .reason{max-width:46em}
 )";
 
@@ -80,8 +80,8 @@ std::string place_cell(const std::string& link, const Checked& c) {
 /// The picture, the place and `cells`; a wide picture in a row of its own below, across all columns.
 std::string row_of(const std::string& link, const Checked& c, const std::string& cells, int columns) {
   const std::string picture = picture_of(link, c.figures), place = place_cell(link, c);
-  if (!is_wide(c.figures)) return fmt::format("<tr><td class=\"picture narrow\">{}</td>{}{}</tr>\n", picture, place, cells);
-  return fmt::format("<tr class=\"wide\">{}{}</tr>\n<tr><td class=\"picture\" colspan=\"{}\">{}</td></tr>\n", place, cells, columns, picture);
+  if (!is_wide(c.figures)) return fmt::format("<tr><td class=\"picture beside\">{}</td>{}{}</tr>\n", picture, place, cells);
+  return fmt::format("<tr class=\"above\">{}{}</tr>\n<tr><td class=\"picture\" colspan=\"{}\">{}</td></tr>\n", place, cells, columns, picture);
 }
 
 std::string failed_table(const std::vector<Checked>& checked, const std::vector<Place>& places) {

@@ -85,6 +85,7 @@ std::optional<Clothoids> WaypointCandidates::chain_at(std::span<const double> x,
   const std::vector<Vec2>& waypoints = problem_.scenario().waypoints;
   const double radius = problem_.scenario().waypoint_radius;
   std::vector<Pose> poses;
+  poses.reserve(waypoints.size() + 2);
   const std::span<const double> bends = has_bends_ ? x.subspan(waypoints.size(), waypoints.size()) : std::span<const double>{};
   const std::span<const double> places = x.subspan(waypoints.size() + bends.size());
   poses.push_back(problem_.start());
