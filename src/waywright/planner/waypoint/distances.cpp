@@ -60,6 +60,9 @@ MapObjects::MapObjects(const Problem& problem) : problem_{problem} {
   const Footprint& footprint = problem.footprint();
   corners_ = footprint.is_disc() ? Ring{Vec2{}} : footprint.polygon;
   radius_ = footprint.is_disc() ? footprint.disc : 0.0;
+  constexpr Vec2 rounding{1e-9, 1e-9};  // m
+  body_ = bounding_box(corners_);
+  body_ = {body_.low - rounding, body_.high + rounding};
   if (!world.empty()) reference_ = std::max(1e-3, 0.5 * distance(world.bounds().low, world.bounds().high));
   along_ = std::make_unique<ClearanceAlong>(world, footprint, reference_);
 }
@@ -112,7 +115,7 @@ double MapObjects::depth_of(const Pose& pose) const {
   // Ends of edges in the footprint.
   problem_.world().index().visit(pose.position(), problem_.footprint().radius(), [&](const Segment& edge) {
     const Vec2 local = frame.to_local(edge.a);
-    if (!contains(corners_, local)) return;
+    if (!body_.contains(local) || !contains(corners_, local)) return;
     double depth = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       depth = std::min(depth, point_segment_distance(local, corners_[i], corners_[(i + 1) % corners_.size()]));

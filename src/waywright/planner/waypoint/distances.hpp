@@ -44,6 +44,7 @@ class MapObjects {
   const Problem& problem_;
   std::vector<Object> objects_;
   std::vector<Vec2> corners_;  ///< of the footprint, body frame
+  Box body_;                   ///< about them, and a little more
   double radius_ = 0.0;        ///< of a disc
   double reference_ = 1.0;
   std::unique_ptr<ClearanceAlong> along_;
