@@ -91,7 +91,7 @@ void distances_by(benchmark::State& state, yardstick::Distances (*distances)(con
 }
 
 void distances_ours(benchmark::State& state, FitnessForm form) {
-  const MapObjects objects{setting().problem};
+  MapObjects objects{setting().problem};
   TrajectoryMeasures measures;
   for (auto _ : state) {
     for (const auto& poses : setting().samples) {

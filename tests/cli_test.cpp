@@ -371,7 +371,11 @@ TEST_F(CommandLine, WaypointsArePlannedThroughByWhoCan) {
   refused(run("compare " + example("waypoints_low.json") + " --planners ompl_rrt_connect"), {"waypoints_low.json", "does not plan through waypoints"});
   const Outcome o = run("compare " + example("waypoints_low.json") + " --set objective=mdobs,metres --evaluations 300 -o c");
   EXPECT_EQ(o.status, 0) << o.err;
-  EXPECT_NE(o.out.find("waypoint_clothoid:objective=mdobs"), std::string::npos);
+  EXPECT_NE(o.out.find("all of them: waypoint_clothoid\n"), std::string::npos);
+  EXPECT_NE(o.out.find("\n  objective=mdobs "), std::string::npos);
+  EXPECT_EQ(o.out.find("waypoint_clothoid:"), std::string::npos);
+  EXPECT_NE(slurp(folder_ / "c/compare.csv").find("\"waypoint_clothoid:objective=mdobs\""), std::string::npos);
+  EXPECT_NE(slurp(folder_ / "c/compare.svg").find("all: waypoint_clothoid<"), std::string::npos);
   EXPECT_EQ(o.out.find("pattern_docking"), std::string::npos);
   EXPECT_NE(slurp(folder_ / "c/clearance.svg").find("Clearance along the path"), std::string::npos);
 }

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "waywright/io/scenario_io.hpp"
+#include "waywright/study/short_names.hpp"
 #include "waywright/study/summary.hpp"
 #include "waywright/study/threads.hpp"
 
@@ -97,6 +98,34 @@ TEST(Compare, NoRunAndNoPathHaveNoFigures) {
   EXPECT_EQ(text.find(std::string(200, 'x')), std::string::npos) << text;
   EXPECT_EQ(text.find("0/0"), std::string::npos) << text;
   EXPECT_NE(text.find("patterns: 1 × timed_out: too slow"), std::string::npos) << text;
+}
+
+Contestant with(const std::string& planner, std::vector<std::string> settings) {
+  Contestant c{planner, planner, {}, {}};
+  for (const std::string& setting : settings) c.label += ":" + setting;
+  c.settings = std::move(settings);
+  return c;
+}
+
+TEST(ShortNames, WhatAllShareIsToldOnce) {
+  const auto waypoint = [](std::vector<std::string> settings) { return with("waypoint_clothoid", std::move(settings)); };
+  const ShortNames one = short_names({waypoint({"optimizer=de", "objective=mlpc"}), waypoint({"objective=metres", "optimizer=de"})});
+  EXPECT_EQ(one.shared, "waypoint_clothoid with optimizer=de");
+  EXPECT_EQ(one.names, (std::vector<std::string>{"objective=mlpc", "objective=metres"}));
+  const ShortNames two = short_names({waypoint({"optimizer=de", "objective=mlpc"}), with("pattern_docking", {"optimizer=de"})});
+  EXPECT_EQ(two.shared, "with optimizer=de");
+  EXPECT_EQ(two.names, (std::vector<std::string>{"waypoint_clothoid:objective=mlpc", "pattern_docking"}));
+  // Who cannot have it does not matter; who could and has not keeps it in the others' names.
+  const Contestant outside{"exec:./mine", "", {}, "./mine"};
+  const ShortNames three = short_names({waypoint({"objective=mlpc"}), waypoint({"objective=mlpc", "seed_runs=2"}), with("ompl_rrt_connect", {}), outside});
+  EXPECT_EQ(three.shared, "with, where a planner has it, objective=mlpc");
+  EXPECT_EQ(three.names, (std::vector<std::string>{"waypoint_clothoid", "waypoint_clothoid:seed_runs=2", "ompl_rrt_connect", "exec:./mine"}));
+  const ShortNames four = short_names({waypoint({"objective=mlpc"}), waypoint({"objective=mlpc", "optimizer=de"}), waypoint({})});
+  EXPECT_EQ(four.shared, "");
+  EXPECT_EQ(four.names[1], "waypoint_clothoid:objective=mlpc:optimizer=de");
+  EXPECT_EQ(short_names({waypoint({"objective=mlpc"})}).names, (std::vector<std::string>{"waypoint_clothoid:objective=mlpc"}));
+  // In another order they are the same, and are told apart by their labels.
+  EXPECT_EQ(short_names({waypoint({"objective=mlpc", "optimizer=de"}), waypoint({"optimizer=de", "objective=mlpc"})}).shared, "");
 }
 
 }  // namespace

@@ -264,7 +264,7 @@ TEST(Report, ManyPathsInOnePictureDifferInColourOrDashes) {
   const Plan plan = *solve(problem);
   std::vector<std::pair<std::string, const Plan*>> plans;
   for (int i = 0; i < 30; ++i) plans.emplace_back(fmt::format("plan {}", i), &plan);
-  for (const std::string& svg : {overlay_svg(problem, plans, 800.0), clearances_svg(problem, plans, 800.0)}) {
+  for (const std::string& svg : {overlay_svg(problem, plans, "", 800.0), clearances_svg(problem, plans, 800.0)}) {
     expect_clean(svg);
     std::set<std::string> drawn, named;
     const auto take = [&](const std::string& element, std::set<std::string>& into) {

@@ -218,6 +218,29 @@ TEST(WaypointClothoid, SaysInGrammarWhatItDid) {
   expect(text_of(5, "g2", 50, 0.01), {"of 50 chains of clothoids through the waypoints none can be driven; the best one bends with"});
 }
 
+TEST(WaypointClothoid, ARefusalNamesTheLeg) {
+  // Waypoints 1 cm apart, across the way: no vehicle turns there.
+  const auto reason_of = [](std::vector<Vec2> waypoints, const char* chain, Pose goal) {
+    Scenario s;
+    s.vehicle.footprint.disc = 0.2;
+    s.vehicle.drive = Differential{0.45};
+    s.vehicle.limits.curvature = 2.0;
+    s.start = {0, 0, 0};
+    s.waypoints = std::move(waypoints);
+    s.mission = goal;
+    s.planner.name = "waypoint_clothoid";
+    s.planner.parameters["chain"] = chain;
+    s.planner.parameters["evaluations"] = 200.0;
+    return solve(Problem::prepare(s).value())->reason;
+  };
+  const auto says = [](const std::string& reason, const char* words) { EXPECT_NE(reason.find(words), std::string::npos) << reason; };
+  says(reason_of({{3, 0.5}, {6, 0.5}, {6, 0.51}, {9, 0}}, "g2", {12, 0, 0}), "waypoint 2 at (6.000, 0.500) and waypoint 3 at (6.000, 0.510), which are 0.0100 m apart");
+  says(reason_of({{0, 0.01}, {4, 0}}, "g2", {12, 0, 0}), "the start at (0.000, 0.000) and waypoint 1 at (0.000, 0.010), which are 0.0100 m apart");
+  // Two of them, where the worse one decides and the other is told, too.
+  says(reason_of({{3, 0}, {6, 0}, {6, 0.01}}, "g2", {12, 0, 3.0}), "waypoint 2 at (6.000, 0.000) and waypoint 3 at (6.000, 0.010), which are 0.0100 m apart");
+  says(reason_of({{3, 0}}, "g2", {3.2, 0, 3.0}), "most between waypoint 1 at (3.000, 0.000) and the goal at (3.200, 0.000), which are 0.2000 m apart");
+}
+
 TEST(WaypointRadius, LetsThePathPassBeside) {
   Scenario s = fixture_scenario("medium");
   s.waypoint_radius = 0.15;
@@ -321,7 +344,7 @@ TEST(Chain, IsSampledEvenly) {
 TEST(MapObjects, CornersAndWholeFootprintAgreeWithTheWorld) {
   for (const char* map : {"low", "medium", "high"}) {
     const Problem problem = Problem::prepare(fixture_scenario(map)).value();
-    const MapObjects objects{problem};
+    MapObjects objects{problem};
     Random random{4};
     std::vector<Pose> poses;
     for (int i = 0; i < 500; ++i) poses.push_back({random.uniform(-1, 14), random.uniform(-1, 12), random.uniform(-pi, pi)});

@@ -31,7 +31,7 @@ class Interruptible {
 
 /// Prints the one sentence; returns the exit status 2.
 int complain(const InputError& error);
-/// Says something worth knowing on standard error, where results go on.
+/// Says something worth knowing on standard error, where results go on; the same sentence once.
 void note(const std::string& sentence);
 /// What was repaired on loading, and what else a user should know of a scenario or a map before trusting a result.
 void note_all(const std::vector<std::string>& repairs, const std::vector<std::string>& warnings);

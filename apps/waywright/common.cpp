@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <set>
 
 #include "commands.hpp"
 
@@ -68,6 +69,9 @@ int complain(const InputError& error) {
 }
 
 void note(const std::string& sentence) {
+  // Maps that several scenarios share, or overlays of one file, have the same to say each time.
+  static std::set<std::string> told;
+  if (!told.insert(sentence).second) return;
   std::fprintf(stderr, "waywright: %s\n", printable(sentence).c_str());
 }
 

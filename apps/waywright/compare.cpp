@@ -11,6 +11,7 @@
 #include "waywright/report/charts.hpp"
 #include "waywright/report/scene.hpp"
 #include "waywright/report/words.hpp"
+#include "waywright/study/short_names.hpp"
 #include "waywright/study/summary.hpp"
 
 namespace waywright::app {
@@ -69,6 +70,7 @@ Parsed<Contestant> contestant_from(const std::string& entry) {
   for (std::size_t i = 1; i < parts.size(); ++i) {
     if (auto set = set_parameter(*planner, contestant.parameters, parts[i]); !set)
       return tl::unexpected{set.error()};
+    contestant.settings.push_back(parts[i]);
   }
   return contestant;
 }
@@ -137,7 +139,8 @@ Parsed<std::vector<Contestant>> with_settings(std::vector<Contestant> contestant
         Contestant one = contestant;
         if (auto set = set_parameter(*planner, one.parameters, key + "=" + value); !set)
           return tl::unexpected{set.error()};
-        one.label += ":" + key + "=" + value;
+        one.settings.push_back(key + "=" + value);
+        one.label += ":" + one.settings.back();
         more.push_back(std::move(one));
       }
     }
@@ -195,11 +198,9 @@ Parsed<std::string> set_budget(const CompareArguments& arguments, const std::vec
 }
 
 /// Of each contestant its shortest proven path, or else any path; the name says which of its runs that is.
-std::vector<std::pair<std::string, const Plan*>> best_plans(const std::vector<Run>& runs,
-                                                            std::size_t scenario,
-                                                            const std::vector<Contestant>& contestants) {
+std::vector<std::pair<std::string, const Plan*>> best_plans(const std::vector<Run>& runs, std::size_t scenario, const std::vector<std::string>& names) {
   std::vector<std::pair<std::string, const Plan*>> best;
-  for (std::size_t c = 0; c < contestants.size(); ++c) {
+  for (std::size_t c = 0; c < names.size(); ++c) {
     const Plan* chosen = nullptr;
     std::size_t all = 0;
     const auto rank = [](const Plan& p) {
@@ -212,7 +213,7 @@ std::vector<std::pair<std::string, const Plan*>> best_plans(const std::vector<Ru
     }
     if (chosen == nullptr) continue;
     best.emplace_back(
-        contestants[c].label +
+        names[c] +
             (all > 1 ? fmt::format(", seed {}, the shortest of {} runs", chosen->seed, all) : ""),
         chosen);
   }
@@ -266,10 +267,11 @@ int compare(const CompareArguments& arguments) {
   std::string text = *budget + summary_text(summaries, names, *contestants);
   std::vector<NamedContent> files{{arguments.out / "compare.csv", runs_csv(runs, names, *contestants)}};
   text += fmt::format("\nwritten: {0}/compare.csv", arguments.out.string());
+  const ShortNames shown = short_names(*contestants);
   for (std::size_t p = 0; p < problems.size(); ++p) {
     const std::string name = problems.size() == 1 ? "compare.svg" : fmt::format("compare-{}.svg", p + 1);
-    const auto best = best_plans(runs, p, *contestants);
-    files.push_back({arguments.out / name, overlay_svg(problems[p], best, 860.0)});
+    const auto best = best_plans(runs, p, shown.names);
+    files.push_back({arguments.out / name, overlay_svg(problems[p], best, shown.shared, 860.0)});
     const std::string chart = problems.size() == 1 ? "clearance.svg" : fmt::format("clearance-{}.svg", p + 1);
     files.push_back({arguments.out / chart, clearances_svg(problems[p], best, 860.0)});
     text += fmt::format(", {0}/{1}, {0}/{2}", arguments.out.string(), name, chart);

@@ -55,7 +55,11 @@ std::string describe(const std::filesystem::path& file, const Map& map) {
     text += "\n";
   }
   if (full) text += "  note: nothing is free: every cell is occupied or unknown\n";
-  for (const std::string& note : map.notes) text += "  note: " + note + "\n";
+  for (auto note = map.notes.begin(); note != map.notes.end(); ++note) {
+    if (std::find(map.notes.begin(), note, *note) != note) continue;  // told
+    const auto times = std::count(note, map.notes.end(), *note);
+    text += fmt::format("  note: {}{}\n", *note, times > 1 ? fmt::format(" ({} times)", times) : "");
+  }
   return text;
 }
 

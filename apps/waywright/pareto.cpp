@@ -51,7 +51,7 @@ int pareto(const ParetoArguments& arguments) {
   }
   // While the earlier front.csv still tells which they are.
   if (auto removed = remove_earlier_plans(folder, front->plans.size()); !removed) return complain(removed.error());
-  const std::vector<NamedContent> files{{folder / "front.csv", front_csv(*front)}, {folder / "front.svg", front_svg(*front, 760.0)}, {folder / "paths.svg", overlay_svg(problem, named, 860.0)}};
+  const std::vector<NamedContent> files{{folder / "front.csv", front_csv(*front)}, {folder / "front.svg", front_svg(*front, 760.0)}, {folder / "paths.svg", overlay_svg(problem, named, "", 860.0)}};
   if (auto written = write_files(files); !written) return complain(written.error());
   const std::size_t count = front->plans.size();
   const std::string plans = count == 0 ? "" : count == 1 ? ", 01: plan.json, plan.svg, report.html" : fmt::format(", 01 … {}: plan.json, plan.svg, report.html each", front_plan_folder(count - 1));

@@ -15,8 +15,20 @@ namespace {
 constexpr double largest_number = 1e12;  // drawing units: a kilometre in micrometres is 1e9
 constexpr double least_bulge = 1e-9;     // under it an arc rises half a micrometre over a kilometre
 constexpr double largest_angle = 1e6;    // GDAL turns angles back one turn at a time
+constexpr double angle_digits = 1e-4;    // rad: a whole turn written with five digits or more may be so much more than one
+constexpr double rounding = 1e-9;        // rad
 
 constexpr std::array<std::string_view, 9> outlines{"LINE", "LWPOLYLINE", "POLYLINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "SOLID", "TRACE"};
+
+/// Counter-clockwise from one angle to the other, rad in (0, 2π]; exactly 2π where a whole turn is meant. Angles that are the same are one, too.
+double turn_between(double from, double to, double whole) {
+  if (to == from) return two_pi;
+  // What rises through a turn and a little more is a turn; what falls may be a short arc across 0.
+  const double turns = std::abs(to - from) / whole, over = (turns - std::round(turns)) * two_pi;
+  if (turns > 0.5 && over >= -rounding && over <= (to > from ? angle_digits : rounding)) return two_pi;
+  const double sweep = std::fmod(to - from, whole);
+  return (sweep > 0.0 ? sweep : sweep + whole) * (two_pi / whole);
+}
 
 bool is_angle(std::string_view type, int code) {
   return ((type == "ARC" || type == "INSERT") && (code == 50 || code == 51)) || (type == "ELLIPSE" && (code == 41 || code == 42));
@@ -127,9 +139,8 @@ Chain curve_of(const Item& entity) {
   const Vec2 at{number(entity, 10, 0.0), number(entity, 20, 0.0)};
   if (entity.type == "CIRCLE" || entity.type == "ARC") {
     const double radius = std::abs(number(entity, 40, 0.0)), from = number(entity, 50, 0.0);
-    double sweep = entity.type == "ARC" ? std::fmod(number(entity, 51, 0.0) - from, 360.0) : 360.0;
-    if (sweep <= 0.0) sweep += 360.0;
-    return elliptic_arc(at, {radius, 0.0}, {0.0, radius}, entity.type == "ARC" ? from * pi / 180.0 : 0.0, sweep < 360.0 ? sweep * pi / 180.0 : two_pi);
+    if (entity.type == "CIRCLE") return elliptic_arc(at, {radius, 0.0}, {0.0, radius}, 0.0, two_pi);
+    return elliptic_arc(at, {radius, 0.0}, {0.0, radius}, from * pi / 180.0, turn_between(from, number(entity, 51, 0.0), 360.0));
   }
   if (entity.type == "ELLIPSE") {
     // Its points are those of the world. The normal says on which side of the major axis the minor one lies.
@@ -142,9 +153,7 @@ Chain curve_of(const Item& entity) {
     else up = 1.0;
     const Vec2 minor = ratio * (up * left_of(major) - height * left_of(normal));
     const double from = number(entity, 41, 0.0);
-    double sweep = std::fmod(number(entity, 42, two_pi) - from, two_pi);
-    if (sweep <= 1e-9) sweep += two_pi;  // written with some digits, a whole turn may be a little more than one
-    return elliptic_arc(at, major, minor, from, std::min(sweep, two_pi));
+    return elliptic_arc(at, major, minor, from, turn_between(from, number(entity, 42, two_pi), two_pi));
   }
   const bool closed = (whole_number(entity, 70, 0) & 1) != 0;
   const auto corners = corners_of(entity);

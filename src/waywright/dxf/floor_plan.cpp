@@ -282,15 +282,21 @@ class Plan {
   }
 
   /// A ring that contains what a closed curve encloses; of a boundary, one that lies within it. Where the chords of both sides of something narrow
-  /// cross, finer ones do not. Where even these do, as in a notch without width, a solid becomes its hull; a curve that crosses itself is refused.
+  /// cross, or lie beyond each other altogether, finer ones do not. Where even these do, as in a notch without width, a solid becomes its hull; a curve that crosses itself is refused.
   RingRepair ring_beside(const Chain& curve, bool boundary) {
-    const Side outer = signed_area(curve) > 0.0 ? Side::right : Side::left, inner = outer == Side::right ? Side::left : Side::right;
+    const bool counter_clockwise = signed_area(curve) > 0.0;
+    const Side outer = counter_clockwise ? Side::right : Side::left, inner = outer == Side::right ? Side::left : Side::right;
     RingRepair repair;
     double tolerance = options_.tolerance;
     for (int finer = 0; finer < 3; ++finer, tolerance *= 0.125) {
       auto ring = chords_of(curve, true, boundary ? inner : outer, tolerance, most_points);
-      if (!ring) break;
+      if (!ring) {
+        if (finer == 0) repair.refused = fmt::format("it needs more than {} corners", most_points);
+        break;
+      }
+      const bool turns_alike = (signed_area(*ring) > 0.0) == counter_clockwise;
       repair = repair_ring(std::move(*ring));
+      if (!repair.refused && !turns_alike) repair.refused = "it is too narrow for the tolerance";
       if (!repair.refused) return repair;
     }
     if (boundary) return repair;

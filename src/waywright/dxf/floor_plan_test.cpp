@@ -463,6 +463,41 @@ TEST(FloorPlan, ClosedCurvesAreNeverSmallerThanTheyAre) {
   EXPECT_EQ(inner, 200);
 }
 
+/// Splines in blocks that are stretched to one side.
+TEST(FloorPlan, StretchedSplinesAreSolidInWhole) {
+  Random random = Random::stream(23, 0);
+  for (int run = 0; run < 60; ++run) {
+    constexpr int n = 7;
+    // A closed cubic of seven control points about the origin, the first three of which come again, with knots a unit apart.
+    std::vector<Vec2> controls;
+    for (int k = 0; k < n; ++k) controls.push_back(random.uniform(700, 1000) * unit(two_pi * k / n));
+    std::string spline = groups({{0, "SPLINE"}, {8, "P"}, {71, 3}});
+    for (int k = 0; k < n + 7; ++k) spline += groups({{40, k}});
+    for (int k = 0; k < n + 3; ++k) spline += groups({{10, controls[static_cast<std::size_t>(k % n)].x}, {20, controls[static_cast<std::size_t>(k % n)].y}});
+    const double sx = random.uniform(5.0, 20.0), turn = random.uniform(-180, 180);
+    TestDrawing drawing;
+    drawing.block("S", 0, 0, groups({{0, "INSERT"}, {8, "0"}, {2, "T"}, {10, 0}, {20, 0}, {50, turn}}));
+    drawing.block("T", 0, 0, spline);
+    drawing.entities = groups({{0, "INSERT"}, {8, "0"}, {2, "S"}, {10, 0}, {20, 0}, {41, sx}, {42, run % 2 == 0 ? 1 : -1}}) + line("W", 0, 30000, 20000, 30000);
+    Options options;
+    options.tolerance = std::pow(10.0, random.uniform(-3, 0));
+    const FloorPlan plan = plan_of(drawing.text(), options);
+    ASSERT_EQ(plan.obstacles.size(), 1u) << testing::PrintToString(plan.notes);
+    EXPECT_FALSE(says(plan, "convex hull"));
+    for (int k = 0; k < n; ++k) {
+      const auto c = [&](int i) { return controls[static_cast<std::size_t>((k + i) % n)]; };
+      for (int i = 0; i < 300; ++i) {
+        const double t = i / 300.0, s = 1 - t;
+        const Vec2 p = (1.0 / 6.0) * (s * s * s * c(0) + (3 * t * t * t - 6 * t * t + 4) * c(1) + (-3 * t * t * t + 3 * t * t + 3 * t + 1) * c(2) + t * t * t * c(3));
+        const Vec2 turned = p.x * unit(turn * pi / 180) + p.y * left_of(unit(turn * pi / 180));
+        const Vec2 at{1e-3 * sx * turned.x, (run % 2 == 0 ? 1e-3 : -1e-3) * turned.y};
+        ASSERT_TRUE(contains(plan.obstacles[0], at) || distance_to(plan.obstacles[0], at, true) < 1e-9) << run << ", by " << distance_to(plan.obstacles[0], at, true);
+        ASSERT_LE(distance_to(plan.obstacles[0], at, true), options.tolerance * (1 + 1e-9));
+      }
+    }
+  }
+}
+
 TEST(FloorPlan, ACoarseToleranceLosesNoPillar) {
   const std::string spline = groups({{0, "SPLINE"}, {8, "P"}, {71, 3}, {40, 0}, {40, 0}, {40, 0}, {40, 0}, {40, 1}, {40, 1}, {40, 1}, {40, 1}, {10, 9000}, {20, 0}, {10, 9400}, {20, 500}, {10, 8600},
                                      {20, 500}, {10, 9000}, {20, 0}});
@@ -516,6 +551,26 @@ TEST(FloorPlan, ABoundaryOfLinesAndArcsLiesWithinThem) {
       EXPECT_TRUE(!contains(plan.boundaries[0], inward) || distance_to(plan.boundaries[0], inward, true) < 1e-9) << tolerance << " " << i;
       EXPECT_LE(distance_to(plan.boundaries[0], Vec2{20, 5} + 5.0 * u, true), tolerance);
       EXPECT_LE(distance_to(plan.boundaries[0], inward, true), tolerance);
+    }
+  }
+}
+
+/// Of a crescent that is thinner than the tolerance the inner chords of one face lie beyond the other: a ring that is simple, and nowhere within it.
+TEST(FloorPlan, AThinCrescentBoundsNothingOutsideOfIt) {
+  for (const double tolerance : {1e-3, 0.05, 0.3, 1.0}) {
+    Options options;
+    options.boundary_layer = "HALL";
+    options.tolerance = tolerance;
+    const FloorPlan plan = plan_of(entities(polyline("HALL", true, {{0, 0, 0.3}, {4000, 0, -0.24}})), options);
+    ASSERT_EQ(plan.boundaries.size(), 1u);
+    EXPECT_GT(signed_area(plan.boundaries[0]), 0.0);
+    for (const Vec2 p : plan.boundaries[0]) {
+      const auto rise = [&](double bulge) {  // below the chord at p
+        const double radius = bulge + 1.0 / bulge, dx = p.x - 2.0;
+        return std::sqrt(radius * radius - dx * dx) - (radius - 2.0 * bulge);
+      };
+      EXPECT_LE(-p.y, rise(0.3) + 1e-9) << tolerance;
+      EXPECT_GE(-p.y, rise(0.24) - 1e-9) << tolerance;
     }
   }
 }

@@ -23,7 +23,8 @@ class Chords {
     add(from, control, to, weight, beside(from, control, to), true, 0);
   }
 
-  /// A chain of control points, each farther along the chord than the one before: their hull to one side.
+  /// A chain of control points, each farther along the chord than the one before: their hull to one side. What a block's insertion stretches and shears keeps
+  /// an order by some linear function from corner to corner, which is all that the scan needs.
   void hull(Vec2 from, const std::vector<Vec2>& controls, Vec2 to) {
     const std::size_t first = points_.size();
     const double turn = side_ == Side::left ? 1.0 : -1.0;

@@ -6,7 +6,9 @@ namespace waywright {
 
 MovingOutline::MovingOutline(std::span<const Vec2> corners) : body_(corners.begin(), corners.end()), world_(body_) {
   make_ready(world_, placed_);
-  edges_.assign(placed_.ready, placed_.ready + std::min(placed_.edges, segment_lanes::Outline::capacity));
+  // Of a rectangle two are looked at.
+  const int used = placed_.shape == segment_lanes::Shape::rectangle ? 2 : std::min(placed_.edges, segment_lanes::Outline::capacity);
+  edges_.assign(placed_.ready, placed_.ready + used);
 }
 
 void MovingOutline::place(const Pose& pose, double sin, double cos) {

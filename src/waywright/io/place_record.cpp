@@ -69,6 +69,7 @@ PlaceFigures read_figures(const Node& node) {
 
 std::string place_record_json(const PlaceRecord& record) {
   Json j{{"format", "waywright-place/1"}, {"key", record.key}, {"files", Json::object()}, {"place", figures_to_json(record.figures)}};
+  j["place"]["picture"] = {record.figures.picture_width, record.figures.picture_height};
   for (const auto& [name, hash] : record.files) j["files"][name] = hash;
   j["sha256"] = sha256(pretty(j));
   return pretty(j);
@@ -88,6 +89,9 @@ std::optional<PlaceRecord> parse_place_record(const std::string& text) {
   record.key = node.at("key").text();
   for (const auto& [name, hash] : node.at("files").members("hashes by name")) record.files[name] = hash.text();
   record.figures = read_figures(node.at("place"));
+  const Vec2 picture = node.at("place").at("picture").point(1e4);
+  record.figures.picture_width = picture.x;
+  record.figures.picture_height = picture.y;
   if (context.error) return std::nullopt;
   return record;
 }

@@ -36,6 +36,7 @@ struct PlaceFigures {
   int direction_changes = 0;
   double travel_time = 0.0;   ///< s
   double plan_seconds = 0.0;  ///< s
+  double picture_width = 0.0, picture_height = 0.0;  ///< px, of small.svg
 };
 
 struct PlaceRecord {

@@ -22,6 +22,13 @@ ClearanceAlong::ClearanceAlong(const World& world, const Footprint& footprint, d
     : world_{&world}, cap_{cap}, grown_{footprint.is_disc() ? footprint.disc : 0.0}, radius_{footprint.is_disc() ? 0.0 : footprint.radius()},
       outline_{corners_of(footprint)} {}
 
+void ClearanceAlong::forget() {
+  has_last_ = false;
+  last_ = {};
+  clearance_ = 0.0;
+  outline_.forget();
+}
+
 double ClearanceAlong::at(const Pose& pose) {
   const SinCos turn = sin_cos(pose.heading);
   return at(pose, turn.sin, turn.cos);

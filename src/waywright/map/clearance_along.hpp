@@ -15,6 +15,8 @@ class ClearanceAlong {
   ClearanceAlong(const World& world, const Footprint& footprint, double cap);
 
   double at(const Pose& pose);
+  /// As if nothing had been asked: what comes next is another motion.
+  void forget();
   /// The same for each, appended.
   void at(std::span<const Pose> poses, std::vector<double>& clearances);
 

@@ -71,8 +71,7 @@ Vec2 point_on(const Footprint& footprint, const Pose& pose, Vec2 obstacle) {
 
 class Scene {
  public:
-  Scene(const Problem& problem, const Plan& plan, double width)
-      : problem_{problem}, plan_{plan}, canvas_{canvas_for(problem, {&plan}, width)}, svg_{canvas_.view} {}
+  Scene(const Problem& problem, const Plan& plan, const Canvas& canvas) : problem_{problem}, plan_{plan}, canvas_{canvas}, svg_{canvas_.view} {}
 
   void draw() {
     open_map(svg_, canvas_);
@@ -274,26 +273,26 @@ std::string framed(std::string body, double width, double height, std::string_vi
 }
 
 std::string scene_svg(const Problem& problem, const Plan& plan, double width) {
-  Scene scene{problem, plan, width};
+  Scene scene{problem, plan, canvas_for(problem, {&plan}, width)};
   scene.draw();
   const double whole = std::max(scene.canvas().width, 480.0);
   const double end = draw_legend(scene.svg(), scene.legend(), whole, scene.canvas().height + 40.0);
   return framed(scene.svg().take(), whole, end + 14.0, problem.scenario().name);
 }
 
-std::string small_svg(const Problem& problem, const Plan& plan, double width) {
-  Scene scene{problem, plan, width + left_gutter};
+SmallPicture small_picture(const Problem& problem, const Plan& plan) {
+  Scene scene{problem, plan, small_canvas(problem, plan)};
   scene.draw_small();
-  const double w = scene.canvas().width - left_gutter;
-  const double h = scene.canvas().height - bottom_gutter;
-  return fmt::format(
+  SmallPicture picture{{}, std::round(scene.canvas().width - left_gutter), std::round(scene.canvas().height - bottom_gutter)};
+  picture.svg = fmt::format(
       "<svg class=\"ww\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{0} 0 {1} {2}\" width=\"{1}\" height=\"{2}\" role=\"img\">\n"
       "<title>{3}</title>\n<style>{4}</style>\n<rect class=\"paper\" x=\"{0}\" width=\"{1}\" height=\"{2}\"/>\n{5}</svg>\n",
-      fixed(left_gutter), fixed(w), fixed(h), escaped(problem.scenario().name), picture_styles(), scene.svg().take());
+      fixed(left_gutter), fixed(picture.width), fixed(picture.height), escaped(problem.scenario().name), picture_styles(), scene.svg().take());
+  return picture;
 }
 
 std::string scene_html(const Problem& problem, const Plan& plan, double width) {
-  Scene scene{problem, plan, width};
+  Scene scene{problem, plan, canvas_for(problem, {&plan}, width)};
   scene.draw();
   return "<div class=\"scene\">\n" +
          framed(scene.svg().take(), std::max(scene.canvas().width, 320.0), scene.canvas().height + 26.0,
@@ -301,8 +300,7 @@ std::string scene_html(const Problem& problem, const Plan& plan, double width) {
          legend_html(scene.legend()) + "</div>\n";
 }
 
-std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std::string, const Plan*>>& plans,
-                        double width) {
+std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std::string, const Plan*>>& plans, const std::string& shared, double width) {
   std::vector<const Plan*> all;
   for (const auto& [name, plan] : plans) all.push_back(plan);
   const Scenario& scenario = problem.scenario();
@@ -312,21 +310,21 @@ std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std:
   draw_zone_areas(svg, scenario.zones);
   draw_map(svg, scenario, canvas.region);
   draw_zone_names(svg, scenario.zones, canvas.region);
-  std::string legend;
-  double y = canvas.height + 40.0;
+  std::vector<OverlayEntry> legend;
+  std::vector<std::vector<Vec2>> drawn;
   for (std::size_t i = 0; i < plans.size(); ++i) {
     const auto& [name, plan] = plans[i];
-    const std::string stroke = stroke_attributes(overlay_stroke(i));
-    if (!plan->samples.empty()) {
-      std::vector<Vec2> points;
-      for (const Sample& s : plan->samples) points.push_back({s.x, s.y});
+    std::vector<Vec2>& points = drawn.emplace_back();
+    for (const Sample& s : plan->samples) points.push_back({s.x, s.y});
+    const std::string stroke = points.empty() ? "" : stroke_attributes(overlay_stroke(i));
+    std::string text = fmt::format("{} ({}", name, to_string(plan->status));
+    if (!points.empty()) {
       svg.stroked_polyline(points, stroke);
+      // One covers the other.
+      const auto same = std::find(drawn.begin(), drawn.end() - 1, points) - drawn.begin();
+      if (same + 1 < static_cast<std::ptrdiff_t>(drawn.size())) text += ", the same path as " + plans[static_cast<std::size_t>(same)].first;
     }
-    legend += fmt::format(
-        "<line x1=\"12\" y1=\"{0}\" x2=\"52\" y2=\"{0}\" {1} stroke-width=\"3\"/><text "
-        "class=\"small\" x=\"60\" y=\"{2}\">{3} ({4})</text>\n",
-        fixed(y - 4), stroke, fixed(y), escaped(name), to_string(plan->status));
-    y += 18.0;
+    legend.push_back({stroke, text + ")"});
   }
   draw_waypoints(svg, scenario);
   draw_vehicle(svg, problem.footprint(), problem.first_pose(), "S");
@@ -337,8 +335,9 @@ std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std:
   svg.close_group();
   draw_axes(svg, canvas);
   draw_scale(svg, canvas);
-  svg.raw(legend);
-  return framed(svg.take(), std::max(canvas.width, 480.0), y + 6.0, scenario.name);
+  const double whole = std::max(canvas.width, 480.0);
+  const double end = draw_overlay_legend(svg, legend, shared, whole, canvas.height + 46.0);
+  return framed(svg.take(), whole, end + 4.0, scenario.name);
 }
 
 }  // namespace waywright

@@ -1,6 +1,8 @@
 // What the colours and marks of the picture mean.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "waywright/report/scene_parts.hpp"
 
 namespace waywright {
@@ -33,7 +35,69 @@ double width_of(const LegendEntry& entry) {
          6.4 * static_cast<double>(entry.text.size());
 }
 
+constexpr double letter = 7.8;  // px, of the overlay's legend, at least as wide as the text comes out
+
+/// At blanks, colons and commas, else anywhere; by code points.
+std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
+  std::vector<std::string> lines(1);
+  std::size_t wide = 0, kept_wide = 0;
+  std::size_t kept = 0;  // bytes of the last line up to a place to break it
+  for (const char c : text) {
+    const bool begins = (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+    if (begins && wide >= most) {
+      std::string rest;
+      if (kept > 0) {
+        rest = lines.back().substr(kept);
+        lines.back().resize(kept);
+        wide -= kept_wide;
+      } else {
+        wide = 0;
+      }
+      lines.push_back(std::move(rest));
+      kept = kept_wide = 0;
+    }
+    lines.back() += c;
+    wide += begins ? 1 : 0;
+    if (c == ' ' || c == ':' || c == ',') kept = lines.back().size(), kept_wide = wide;
+  }
+  return lines;
+}
+
 }  // namespace
+
+double draw_overlay_legend(SvgWriter& svg, const std::vector<OverlayEntry>& entries, const std::string& shared, double width, double y) {
+  constexpr double sample = 56.0, gap = 10.0, line_height = 19.0;  // px
+  constexpr std::size_t many = 4;
+  const auto write = [&](double x, const std::string& text) { svg.raw(fmt::format("<text class=\"key\" x=\"{}\" y=\"{}\">{}</text>\n", fixed(x), fixed(y), escaped(text))); };
+  const auto letters = [](double pixels) { return static_cast<std::size_t>(std::max(12.0, pixels / letter)); };
+  if (!shared.empty()) {
+    for (const std::string& line : wrapped("all: " + shared, letters(width - left_gutter))) {
+      write(left_gutter, line);
+      y += line_height;
+    }
+  }
+  std::size_t longest = 0;
+  for (const OverlayEntry& e : entries) longest = std::max(longest, e.text.size());
+  const double needed = sample + gap + letter * static_cast<double>(longest) + 2.0 * gap;
+  const auto columns = entries.size() > many ? std::clamp<std::size_t>(static_cast<std::size_t>((width - left_gutter) / needed), 1, 3) : 1;
+  const double column = (width - left_gutter) / static_cast<double>(columns);
+  const std::size_t rows = (entries.size() + columns - 1) / columns;
+  const double top = y;
+  double end = y;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const double x = left_gutter + column * static_cast<double>(i / std::max<std::size_t>(rows, 1));
+    if (i % rows == 0) y = top;
+    if (!entries[i].stroke.empty()) {
+      svg.raw(fmt::format("<line x1=\"{0}\" y1=\"{1}\" x2=\"{2}\" y2=\"{1}\" {3} stroke-width=\"4\"/>\n", fixed(x), fixed(y - 5), fixed(x + sample), entries[i].stroke));
+    }
+    for (const std::string& line : wrapped(entries[i].text, letters(column - sample - gap))) {
+      write(x + sample + gap, line);
+      y += line_height;
+    }
+    end = std::max(end, y);
+  }
+  return end;
+}
 
 double draw_legend(SvgWriter& svg, const std::vector<LegendEntry>& entries, double width, double y) {
   double x = left_gutter;

@@ -7,6 +7,7 @@
 
 #include "waywright/geometry/polygon.hpp"
 #include "waywright/report/scene_parts.hpp"
+#include "waywright/report/spots.hpp"
 
 namespace waywright {
 namespace {
@@ -15,20 +16,25 @@ constexpr double margin = 1.0;            // m around what is shown
 constexpr std::size_t most_runs = 40000;  // of cells
 constexpr std::size_t most_numbers = 60;  // of obstacles and lines: more would hide the map
 
+void add_ring(std::vector<Vec2>& points, const Ring& ring) { points.insert(points.end(), ring.begin(), ring.end()); }
+
+/// Of all that stands on a path: start, goal, and some of its poses.
+void add_ways(std::vector<Vec2>& points, const Problem& problem, const std::vector<const Plan*>& plans) {
+  add_ring(points, outline_at(problem.footprint(), problem.first_pose()));
+  add_ring(points, outline_at(problem.footprint(), problem.last_pose()));
+  for (const Plan* plan : plans) {
+    for (std::size_t i = 0; i < plan->samples.size(); i += 10) add_ring(points, outline_at(problem.footprint(), plan->samples[i].pose()));
+  }
+}
+
 /// What must be seen: start, goal, station, path; the map is cropped to it.
 Box region_of(const Problem& problem, const std::vector<const Plan*>& plans) {
   const Scenario& scenario = problem.scenario();
   std::vector<Vec2> points;
-  const auto add = [&](const Ring& ring) { points.insert(points.end(), ring.begin(), ring.end()); };
-  add(outline_at(problem.footprint(), problem.first_pose()));
-  add(outline_at(problem.footprint(), problem.last_pose()));
+  add_ways(points, problem, plans);
   if (const auto* station = std::get_if<Station>(&scenario.mission)) {
-    add(station->area);
-    add(station->shelf.outline());
-  }
-  for (const Plan* plan : plans) {
-    for (std::size_t i = 0; i < plan->samples.size(); i += 10)
-      add(outline_at(problem.footprint(), plan->samples[i].pose()));
+    add_ring(points, station->area);
+    add_ring(points, station->shelf.outline());
   }
   Box box = bounding_box(points);
   // A map that is not much larger is shown whole.
@@ -110,15 +116,38 @@ Ring outline_at(const Footprint& footprint, const Pose& pose) {
   return ring;
 }
 
+namespace {
+
+Canvas canvas_of(const Box& region, double scale) {
+  return {{region.low.x - left_gutter / scale, region.high.y, scale}, region, left_gutter + (region.high.x - region.low.x) * scale, (region.high.y - region.low.y) * scale + bottom_gutter};
+}
+
+}  // namespace
+
 Canvas canvas_for(const Problem& problem, const std::vector<const Plan*>& plans, double width) {
   const Box region = region_of(problem, plans);
-  const double w = region.high.x - region.low.x;
-  const double h = region.high.y - region.low.y;
-  const double scale = std::min((width - left_gutter) / w, 1.1 * width / h);
-  return {{region.low.x - left_gutter / scale, region.high.y, scale},
-          region,
-          left_gutter + w * scale,
-          h * scale + bottom_gutter};
+  const Vec2 size = region.high - region.low;
+  return canvas_of(region, std::min((width - left_gutter) / size.x, 1.1 * width / size.y));
+}
+
+Canvas small_canvas(const Problem& problem, const Plan& plan) {
+  constexpr double usual = 210.0, most = 420.0;     // px, of a square one
+  constexpr double usual_extent = 15.0;             // m, from where it grows
+  constexpr double tallest = 2.0, widest = 6.0;     // height to width and width to height: what is thinner gets more of the map
+  constexpr double flat = 2.0, least_height = 150.0, most_width = 900.0;  // from where on it is wide, and by how much; px
+  constexpr double least_margin = 0.7, share = 0.06;  // m; of the longer side
+  std::vector<Vec2> points;
+  add_ways(points, problem, {&plan});
+  if (const auto* station = std::get_if<Station>(&problem.scenario().mission)) add_ring(points, station->shelf.outline());
+  for (const Spot& spot : blocked_spots(problem, plan)) add_ring(points, outline_at(problem.footprint(), spot.pose));
+  const Box box = bounding_box(points);
+  const Vec2 middle = 0.5 * (box.low + box.high), inner = box.high - box.low;
+  const double margin_here = std::max(least_margin, share * std::max(inner.x, inner.y));
+  Vec2 size = inner + 2.0 * Vec2{margin_here, margin_here};
+  size = {std::max(size.x, size.y / tallest), std::max(size.y, size.x / widest)};
+  const double aspect = size.x / size.y, side = std::clamp(usual * std::sqrt(std::max(size.x, size.y) / usual_extent), usual, most);
+  const double height = aspect >= flat ? std::min(std::max(least_height, side / std::sqrt(aspect)), most_width / aspect) : side / std::sqrt(aspect);
+  return canvas_of({middle - 0.5 * size, middle + 0.5 * size}, height / size.y);
 }
 
 void open_map(SvgWriter& svg, const Canvas& canvas) {

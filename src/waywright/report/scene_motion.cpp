@@ -8,6 +8,8 @@ namespace {
 
 constexpr double sweep_step = 0.03;  // m between the footprints of the swept area
 constexpr double ghost_step = 0.75;  // m between drawn outlines
+constexpr double arrow_step = 1.5;        // m between arrow heads
+constexpr double least_arrow_gap = 34.0;  // px, where that is too near
 
 }  // namespace
 
@@ -37,7 +39,7 @@ void draw_path(SvgWriter& svg, const std::vector<Sample>& samples) {
   double next = 0.6;
   for (const Sample& s : samples) {  // arrow heads in the direction of travel
     if (s.s < next || s.direction == 0) continue;
-    next = s.s + 1.5;
+    next = s.s + std::max(arrow_step, least_arrow_gap / svg.view().scale);
     const Frame frame{make_pose({s.x, s.y}, s.course)};
     const double a = 7.0 / svg.view().scale;
     svg.polygon({frame.to_world(Vec2{a, 0.0}), frame.to_world(Vec2{-a, 0.75 * a}),

@@ -22,6 +22,8 @@ struct Canvas {
 
 /// What must be seen (start, goal, station, paths) scaled to about `width` pixels.
 Canvas canvas_for(const Problem& problem, const std::vector<const Plan*>& plans, double width);
+/// Of what is driven alone, with a margin: start, goal, path, shelf, and where it is blocked; no smaller than what fills some 200 px squared, and wide where it is.
+Canvas small_canvas(const Problem& problem, const Plan& plan);
 
 /// The footprint's outline in the world; a disc as 36 corners.
 Ring outline_at(const Footprint& footprint, const Pose& pose);
@@ -63,6 +65,12 @@ struct LegendEntry {
 };
 /// Lines of entries from y on; returns where they end.
 double draw_legend(SvgWriter& svg, const std::vector<LegendEntry>& entries, double width, double y);
+/// Of several plans in one picture: a line each with a sample of its stroke (empty: nothing of it is drawn), wrapped where it is too long, in columns where there
+/// are many; above them what all share, if anything. Returns where they end.
+struct OverlayEntry {
+  std::string stroke, text;
+};
+double draw_overlay_legend(SvgWriter& svg, const std::vector<OverlayEntry>& entries, const std::string& shared, double width, double y);
 /// The same as a list beside the picture, whose text keeps its size where the picture shrinks.
 std::string legend_html(const std::vector<LegendEntry>& entries);
 

@@ -148,7 +148,7 @@ constexpr std::string_view rules = R"(
 .ww .number{font-size:11px;font-weight:600;text-anchor:middle}
 .ww .tighttext{fill:var(--bad);font-size:15px;font-weight:700;paint-order:stroke;stroke:var(--paper);stroke-width:4px}
 .ww .name{font-size:15px;font-weight:700;paint-order:stroke;stroke:var(--paper);stroke-width:4px}
-.ww .tighttext.note{fill:var(--bad);font-size:12px}.ww .small{font-size:12px;fill:var(--soft)}.ww .note{font-size:12px;paint-order:stroke;stroke:var(--paper);stroke-width:3px;fill:var(--soft)}
+.ww .tighttext.note{fill:var(--bad);font-size:12px}.ww .small{font-size:12px;fill:var(--soft)}.ww .key{font-size:14px}.ww .note{font-size:12px;paint-order:stroke;stroke:var(--paper);stroke-width:3px;fill:var(--soft)}
 .ww .bar{stroke:var(--ink);stroke-width:2}.ww .axis{stroke:var(--soft);stroke-width:1}.ww .gridline{stroke:var(--grid);stroke-width:1}
 .ww .curve{fill:none;stroke:var(--ink);stroke-width:1.8}.ww .limit{stroke:var(--bad);stroke-width:1.4;stroke-dasharray:6 4}
 .ww .bandback{fill:var(--back);fill-opacity:.09}.ww .bandfwd{fill:var(--fwd);fill-opacity:.09}

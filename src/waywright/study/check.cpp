@@ -28,7 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t largest_kept = 1ULL << 30;  // bytes
-constexpr double small_width = 240.0;               // px
 constexpr const char* record_name = "place.json";
 constexpr std::array<const char*, 4> kept_files{"plan.json", "plan.svg", "report.html", "small.svg"};
 
@@ -75,11 +74,14 @@ std::optional<PlaceFigures> kept_result(const fs::path& folder, const std::strin
   return record->figures;
 }
 
-Parsed<void> write_result(const fs::path& folder, const std::string& key, const Problem& problem, const Plan& plan, const PlaceFigures& figures) {
+Parsed<void> write_result(const fs::path& folder, const std::string& key, const Problem& problem, const Plan& plan, PlaceFigures& figures) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return tl::unexpected{InputError{folder.string(), "", "the folder cannot be made: " + error.message(), ""}};
-  const std::array<std::string, 4> contents{plan_json(plan), plan_svg(problem, plan), report_html(problem, plan), small_svg(problem, plan, small_width)};
+  SmallPicture small = small_picture(problem, plan);
+  figures.picture_width = small.width;
+  figures.picture_height = small.height;
+  const std::array<std::string, 4> contents{plan_json(plan), plan_svg(problem, plan), report_html(problem, plan), std::move(small.svg)};
   PlaceRecord record{key, {}, figures};
   std::vector<NamedContent> files;
   for (std::size_t i = 0; i < kept_files.size(); ++i) {

@@ -58,19 +58,30 @@ std::string link_to(const std::string& folder) {
 }
 
 constexpr std::string_view check_styles = R"(
-body{max-width:1400px}.check td{vertical-align:middle}.check .picture{width:250px}.check .picture img{display:block;max-width:240px;max-height:200px;border:1px solid var(--line)}
+body{max-width:1400px}.check td{vertical-align:middle}.check .picture img{display:block;max-width:100%;height:auto;border:1px solid var(--line)}.check .above td{border-bottom:none;padding-bottom:2px}.check .beside img{max-width:none}
 .check th,.check td{padding-right:14px}.check th{vertical-align:bottom}.check .against{min-width:9em}.wrap{overflow-x:auto}.check .figure{text-align:right}.check td.figure{white-space:nowrap}a{color:inherit}.check .place{font-weight:600}.check .reason{max-width:46em}
 )";
 
-std::string picture_cell(const std::string& link, const PlaceFigures& f) {
-  return fmt::format("<td class=\"picture\"><a href=\"{0}/report.html\"><img loading=\"lazy\" src=\"{0}/small.svg\" alt=\"{1}\"></a></td>", link, escaped("plan of " + f.name));
+/// Does not fit beside the figures: it stands below them.
+bool is_wide(const PlaceFigures& f) { return f.picture_width > 330.0; }
+
+std::string picture_of(const std::string& link, const PlaceFigures& f) {
+  return fmt::format("<a href=\"{0}/report.html\"><img loading=\"lazy\" src=\"{0}/small.svg\" width=\"{1:.0f}\" height=\"{2:.0f}\" alt=\"{3}\"></a>", link, f.picture_width, f.picture_height,
+                     escaped("plan of " + f.name));
 }
 
 std::string place_cell(const std::string& link, const Checked& c) {
   const PlaceFigures& f = c.figures;
   return fmt::format(
-      "<td><a class=\"place\" href=\"{0}/report.html\">{1}</a><span class=\"soft\"><a href=\"{0}/plan.svg\">picture</a> · <a href=\"{0}/plan.json\">plan.json</a>{2}</span></td>",
-      link, escaped(f.name), c.taken_over ? " · taken over" : "");
+      "<td{3}><a class=\"place\" href=\"{0}/report.html\">{1}</a><span class=\"soft\"><a href=\"{0}/plan.svg\">picture</a> · <a href=\"{0}/plan.json\">plan.json</a>{2}</span></td>",
+      link, escaped(f.name), c.taken_over ? " · taken over" : "", is_wide(f) ? " colspan=\"2\"" : "");
+}
+
+/// The picture, the place and `cells`; a wide picture in a row of its own below, across all columns.
+std::string row_of(const std::string& link, const Checked& c, const std::string& cells, int columns) {
+  const std::string picture = picture_of(link, c.figures), place = place_cell(link, c);
+  if (!is_wide(c.figures)) return fmt::format("<tr><td class=\"picture beside\">{}</td>{}{}</tr>\n", picture, place, cells);
+  return fmt::format("<tr class=\"above\">{}{}</tr>\n<tr><td class=\"picture\" colspan=\"{}\">{}</td></tr>\n", place, cells, columns, picture);
 }
 
 std::string failed_table(const std::vector<Checked>& checked, const std::vector<Place>& places) {
@@ -78,8 +89,7 @@ std::string failed_table(const std::vector<Checked>& checked, const std::vector<
   for (const Checked& c : checked) {
     if (is_solved(c)) continue;
     const std::string link = link_to(places[c.place].folder);
-    out += fmt::format("<tr>{}{}<td class=\"bad\">{}</td><td class=\"reason\">{}</td></tr>\n", picture_cell(link, c.figures), place_cell(link, c), to_string(c.figures.status),
-                       escaped(as_sentence(c.figures.reason)));
+    out += row_of(link, c, fmt::format("<td class=\"bad\">{}</td><td class=\"reason\">{}</td>", to_string(c.figures.status), escaped(as_sentence(c.figures.reason))), 4);
   }
   if (out.empty()) return out;
   return "<h2>Not solved</h2>\n<div class=\"wrap\"><table class=\"check\"><thead><tr><th></th><th>Place</th><th>Status</th><th>Reason</th></tr></thead><tbody>\n" + out + "</tbody></table></div>\n";
@@ -100,8 +110,10 @@ std::string solved_table(const std::vector<Checked>& checked, const std::vector<
     const std::string link = link_to(places[c.place].folder);
     const std::string proven = f.tightest ? spot_cell(f.tightest, f.pocket_clearance) : "<td class=\"figure\">over 10 m</td><td></td>";
     const std::string limit = f.curvature_limit ? fmt::format("<span class=\"soft\">of {:.3f}</span>", *f.curvature_limit) : "";
-    out += fmt::format("<tr>{}{}{}{}<td class=\"figure\">{:.2f}</td><td class=\"figure\">{:.3f}{}</td><td class=\"figure\">{}</td><td class=\"figure\">{:.1f}</td></tr>\n",
-                       picture_cell(link, f), place_cell(link, c), proven, spot_cell(f.on_the_way), f.length, f.max_curvature, limit, f.direction_changes, f.travel_time);
+    out += row_of(link, c,
+                  fmt::format("{}{}<td class=\"figure\">{:.2f}</td><td class=\"figure\">{:.3f}{}</td><td class=\"figure\">{}</td><td class=\"figure\">{:.1f}</td>", proven, spot_cell(f.on_the_way), f.length,
+                              f.max_curvature, limit, f.direction_changes, f.travel_time),
+                  10);
   }
   if (out.empty()) return out;
   return "<h2>Solved and proven, tightest first</h2>\n<div class=\"wrap\"><table class=\"check\"><thead><tr><th></th><th>Place</th><th class=\"figure\">Proven clearance, mm</th><th>against</th>"

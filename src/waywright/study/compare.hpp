@@ -20,6 +20,7 @@ struct Contestant {
   std::string planner;  ///< registry name, or empty for an outside program
   Parameters parameters;
   std::string command;  ///< of an outside program
+  std::vector<std::string> settings = {};  ///< "key=value" of the parameters that were named, as in the label
 };
 
 struct Run {

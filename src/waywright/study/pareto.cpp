@@ -145,7 +145,7 @@ Parsed<Front> pareto(const Problem& problem, const ParetoOptions& options) {
   } else if (front.reason.empty()) {
     const auto chain = std::isfinite(least) ? candidates.chain_at(nearest) : std::nullopt;
     front.reason = found.empty() && chain ? failure_of(problem, candidates, *chain, front.evaluations, budget).failure.reason
-                   : found.empty()        ? failure_without_chain(front.evaluations, budget).failure.reason
+                   : found.empty()        ? failure_without_chain(problem, front.evaluations, std::nullopt, budget).failure.reason
                                           : "the search was ended before the proof had looked at what it found";
   }
   for (std::size_t i = 0; i < front.plans.size(); ++i) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "waywright/study/short_names.hpp"
+
 namespace waywright {
 namespace {
 
@@ -133,17 +135,18 @@ std::vector<Summary> summarise(const std::vector<Run>& runs, std::size_t scenari
 
 std::string summary_text(const std::vector<Summary>& summaries, const std::vector<std::string>& scenarios,
                          const std::vector<Contestant>& contestants) {
+  const ShortNames shown = short_names(contestants);
   std::size_t wide = 10;
-  for (const Contestant& c : contestants) wide = std::max(wide, c.label.size());
-  std::string out;
+  for (const std::string& name : shown.names) wide = std::max(wide, name.size());
+  std::string out = shown.shared.empty() ? "" : "all of them: " + shown.shared + "\n";
   for (std::size_t p = 0; p < scenarios.size(); ++p) {
     out += fmt::format("{}{}\n  {:<{}}  {:>19}  {:>8}  {:>22}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}\n",
-                       out.empty() ? "" : "\n", scenarios[p], "planner", wide, "solved (95 %)", "unproven",
+                       p == 0 ? "" : "\n", scenarios[p], shown.heading, wide, "solved (95 %)", "unproven",
                        "length m [quartiles]", "clear. m", "Σ|Δκ|", "time s", "evals", "plan ms");
     std::string below;
     for (const Summary& s : summaries) {
       if (s.scenario != p) continue;
-      const std::string& label = contestants[s.contestant].label;
+      const std::string& label = shown.names[s.contestant];
       const bool ran = s.solved.all > 0;
       const bool any = s.paths > 0;
       const std::string length = any ? fmt::format("{:>7.3f} [{:>5.2f}–{:>6.2f}]", s.length.median,

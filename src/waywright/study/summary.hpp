@@ -41,11 +41,11 @@ struct Summary {
 };
 std::vector<Summary> summarise(const std::vector<Run>& runs, std::size_t scenarios, std::size_t contestants);
 
-/// Aligned for a terminal; figures of no path or no run are dashes, and what was not solved has its reasons
-/// below.
+/// Aligned for a terminal, with what all contestants share in a line above; figures of no path or no run are dashes, and what was not solved has its
+/// reasons below.
 std::string summary_text(const std::vector<Summary>& summaries, const std::vector<std::string>& scenarios,
                          const std::vector<Contestant>& contestants);
-/// One line a run, every metric.
+/// One line a run, every metric; contestants by their whole labels.
 std::string runs_csv(const std::vector<Run>& runs, const std::vector<std::string>& scenarios,
                      const std::vector<Contestant>& contestants);
 

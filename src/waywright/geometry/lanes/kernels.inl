@@ -67,6 +67,14 @@ WAYWRIGHT_INLINE unsigned bits(Mask mask) {
   return out;
 #endif
 }
+/// Bit i: a < b in lane i; false of what is not a number.
+WAYWRIGHT_INLINE unsigned less_bits(Doubles a, Doubles b) {
+#if defined(__AVX512DQ__)
+  return _cvtmask8_u32(_mm512_cmp_pd_mask((__m512d)a, (__m512d)b, _CMP_LT_OQ));
+#else
+  return bits(a < b);
+#endif
+}
 WAYWRIGHT_INLINE Doubles unit_clamped(Doubles t) { return lesser(greater(t, Doubles{}), Doubles{} + 1.0); }
 
 /// Squared distance of boxes to the outline's.
@@ -158,7 +166,7 @@ WAYWRIGHT_INLINE void look(const Block& block, std::uint32_t first, const Outlin
   for (int k = 0; k < width; k += native) {
     const Doubles ax = load(block.ax + k), ay = load(block.ay + k), bx = load(block.bx + k), by = load(block.by + k);
     const Doubles gap = squared_gap(o, lesser(ax, bx), lesser(ay, by), greater(ax, bx), greater(ay, by));
-    unsigned wanted = bits(gap < before);
+    unsigned wanted = less_bits(gap, Doubles{} + before);
     if (wanted == 0) continue;
     Doubles squared = to_area<shape>(o, ax, ay);
     if (!block.ends_begin_others) squared = lesser(squared, to_area<shape>(o, bx, by));
@@ -174,7 +182,7 @@ WAYWRIGHT_INLINE void look(const Block& block, std::uint32_t first, const Outlin
     }
     squared = lesser(beside * inverse, squared);  // of a point that is not a number: the second stays
     if (o.edges > 0 && bits(gap <= 0.0) != 0) squared = ((gap <= 0.0) & crossing(o, ax, ay, bx, by)) ? Doubles{} : squared;
-    wanted &= bits(squared < before);
+    wanted &= less_bits(squared, Doubles{} + before);
     for (; wanted != 0; wanted &= wanted - 1) {
       const int lane = __builtin_ctz(wanted);
       if (!(squared[lane] < found.squared) || block.source[k + lane] == without) continue;
@@ -209,7 +217,7 @@ Found nearest_of(const Tree& tree, const Outline& o, double best, std::uint32_t 
       const int i = k % width;
       const Doubles gap = squared_gap(o, load(b.low_x + i), load(b.low_y + i), load(b.high_x + i), load(b.high_y + i));
       __builtin_memcpy(gaps + k, &gap, sizeof gap);
-      wanted |= bits(gap < found.squared) << k;
+      wanted |= less_bits(gap, Doubles{} + found.squared) << k;
     }
     if (wanted == 0) continue;
     // The nearest comes first: of the others few are wanted then. Where something near is known they are few anyway.

@@ -59,22 +59,26 @@ pagmo::population IntermediateGeneticAlgorithm::evolve(pagmo::population populat
   if (size <= elites) return population;
   std::vector<std::size_t> order(size);
   std::vector<double> shares(size);
+  // What pagmo keeps is copied once; parents stay as they are while their generation is replaced.
+  std::vector<pagmo::vector_double> points = population.get_x(), parents;
+  std::vector<double> values;
+  for (const pagmo::vector_double& f : population.get_f()) values.push_back(f[0]);
+  const pagmo::problem& problem = population.get_problem();
+  pagmo::vector_double child(dimension);
   for (unsigned generation = 0; generation < generations_; ++generation) {
-    const auto points = population.get_x();
-    const auto values = population.get_f();
+    parents = points;
     for (std::size_t i = 0; i < size; ++i) order[i] = i;
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a][0] < values[b][0]; });
-    const double least = values[order.front()][0];
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    const double least = values[order.front()];
     double all = 0.0;
-    for (std::size_t i = 0; i < size; ++i) shares[i] = all += 1.0 / (1.0 + (values[i][0] - least));
+    for (std::size_t i = 0; i < size; ++i) shares[i] = all += 1.0 / (1.0 + (values[i] - least));
     const auto parent = [&]() -> const pagmo::vector_double& {
       const auto at = std::lower_bound(shares.begin(), shares.end(), random.uniform() * all);
-      return points[std::min(size - 1, static_cast<std::size_t>(at - shares.begin()))];
+      return parents[std::min(size - 1, static_cast<std::size_t>(at - shares.begin()))];
     };
     for (std::size_t rank = elites; rank < size; ++rank) {
       const auto& a = parent();
       const auto& b = parent();
-      pagmo::vector_double child(dimension);
       for (std::size_t k = 0; k < dimension; ++k) {
         const double range = high[k] - low[k];
         const bool goes_round = k < periodic_.size() && periodic_[k];
@@ -85,9 +89,11 @@ pagmo::population IntermediateGeneticAlgorithm::evolve(pagmo::population populat
         if (goes_round) x -= range * std::floor((x - low[k]) / range);
         child[k] = std::clamp(x, low[k], high[k]);
       }
-      population.set_x(order[rank], child);
+      values[order[rank]] = problem.fitness(child)[0];
+      points[order[rank]] = child;
     }
   }
+  for (std::size_t i = 0; i < size; ++i) population.set_xf(i, points[i], {values[i]});
   return population;
 }
 

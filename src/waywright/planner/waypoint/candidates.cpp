@@ -81,10 +81,11 @@ WaypointCandidates::WaypointCandidates(const Problem& problem, const WaypointOpt
   if (may_leave_) add(2 * waypoints.size(), radius);
 }
 
-std::optional<Clothoids> WaypointCandidates::chain_at(std::span<const double> x) const {
+std::optional<Clothoids> WaypointCandidates::chain_at(std::span<const double> x, std::size_t* unsolved) const {
   const std::vector<Vec2>& waypoints = problem_.scenario().waypoints;
   const double radius = problem_.scenario().waypoint_radius;
   std::vector<Pose> poses;
+  poses.reserve(waypoints.size() + 2);
   const std::span<const double> bends = has_bends_ ? x.subspan(waypoints.size(), waypoints.size()) : std::span<const double>{};
   const std::span<const double> places = x.subspan(waypoints.size() + bends.size());
   poses.push_back(problem_.start());
@@ -98,7 +99,7 @@ std::optional<Clothoids> WaypointCandidates::chain_at(std::span<const double> x)
     poses.push_back(make_pose(waypoints[i] + off, wrap(x[i])));
   }
   poses.push_back(problem_.goal());
-  return chain_through(poses, options_.continuity, bends);
+  return chain_through(poses, options_.continuity, bends, unsolved);
 }
 
 /// Shares by which curvature and its rate are over the vehicle's limits.

@@ -18,7 +18,7 @@ class WaypointCandidates {
 
   /// One course a waypoint; of G2 chains a curvature, too; and its place, where it may be left by a radius.
   const SearchSpace& space() const { return space_; }
-  std::optional<Clothoids> chain_at(std::span<const double> x) const;
+  std::optional<Clothoids> chain_at(std::span<const double> x, std::size_t* unsolved = nullptr) const;
   /// A candidate whose chain has no solution is as bad as can be.
   Evaluation evaluate(std::span<const double> x);
 

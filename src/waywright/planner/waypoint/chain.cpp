@@ -7,14 +7,18 @@
 
 namespace waywright {
 
-std::optional<Clothoids> chain_through(std::span<const Pose> poses, Continuity continuity, std::span<const double> bends) {
+std::optional<Clothoids> chain_through(std::span<const Pose> poses, Continuity continuity, std::span<const double> bends, std::size_t* unsolved) {
+  const auto none_at = [&](std::size_t leg) -> std::optional<Clothoids> {
+    if (unsolved != nullptr) *unsolved = leg;
+    return std::nullopt;
+  };
   std::vector<std::optional<Clothoid>> legs(poses.size() - 1);
   fit_clothoid_batch(poses.first(poses.size() - 1), poses.subspan(1), legs);
   Clothoids singles;
   singles.reserve(legs.size());
-  for (const auto& leg : legs) {
-    if (!leg) return std::nullopt;
-    singles.push_back(*leg);
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    if (!legs[i]) return none_at(i);
+    singles.push_back(*legs[i]);
   }
   if (continuity == Continuity::g1) return singles;
   Clothoids chain;
@@ -23,7 +27,7 @@ std::optional<Clothoids> chain_through(std::span<const Pose> poses, Continuity c
     const bool is_last = i + 1 == singles.size();
     const CurvaturePose to{poses[i + 1], is_last ? 0.0 : 0.5 * (end_curvature(singles[i]) + singles[i + 1].curvature) + (bends.empty() ? 0.0 : bends[i])};
     const auto leg = fit_clothoids(from, to);
-    if (!leg) return std::nullopt;
+    if (!leg) return none_at(i);
     chain.insert(chain.end(), leg->begin(), leg->end());
     from = to;
   }

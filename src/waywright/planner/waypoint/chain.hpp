@@ -19,8 +19,8 @@ enum class Continuity {
 
 /// The trajectory through poses in order (headings are courses). With G2, curvature is 0 at the first and last pose, and at each one between what is
 /// in `bends` (1/m, one element a pose between; empty: zeros) more than the mean of what the single clothoids before and after it have there.
-/// nullopt where a leg has no solution.
-std::optional<Clothoids> chain_through(std::span<const Pose> poses, Continuity continuity, std::span<const double> bends = {});
+/// nullopt where a leg has no solution: the first such is told in `unsolved`.
+std::optional<Clothoids> chain_through(std::span<const Pose> poses, Continuity continuity, std::span<const double> bends = {}, std::size_t* unsolved = nullptr);
 
 /// The same driven forwards.
 Path path_of(const Clothoids& chain);

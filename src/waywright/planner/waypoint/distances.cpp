@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "waywright/map/clearance_along.hpp"
-
 namespace waywright {
 namespace {
 
@@ -62,7 +60,11 @@ MapObjects::MapObjects(const Problem& problem) : problem_{problem} {
   const Footprint& footprint = problem.footprint();
   corners_ = footprint.is_disc() ? Ring{Vec2{}} : footprint.polygon;
   radius_ = footprint.is_disc() ? footprint.disc : 0.0;
+  constexpr Vec2 rounding{1e-9, 1e-9};  // m
+  body_ = bounding_box(corners_);
+  body_ = {body_.low - rounding, body_.high + rounding};
   if (!world.empty()) reference_ = std::max(1e-3, 0.5 * distance(world.bounds().low, world.bounds().high));
+  along_ = std::make_unique<ClearanceAlong>(world, footprint, reference_);
 }
 
 MapObjects::Corner MapObjects::corner_against(const Object& object, Vec2 corner) const {
@@ -113,7 +115,7 @@ double MapObjects::depth_of(const Pose& pose) const {
   // Ends of edges in the footprint.
   problem_.world().index().visit(pose.position(), problem_.footprint().radius(), [&](const Segment& edge) {
     const Vec2 local = frame.to_local(edge.a);
-    if (!contains(corners_, local)) return;
+    if (!body_.contains(local) || !contains(corners_, local)) return;
     double depth = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       depth = std::min(depth, point_segment_distance(local, corners_[i], corners_[(i + 1) % corners_.size()]));
@@ -123,7 +125,7 @@ double MapObjects::depth_of(const Pose& pose) const {
   return deepest;
 }
 
-void MapObjects::measure(std::span<const Pose> poses, FitnessForm form, bool wants_greatest, TrajectoryMeasures& measures) const {
+void MapObjects::measure(std::span<const Pose> poses, FitnessForm form, bool wants_greatest, TrajectoryMeasures& measures) {
   measures.distance.clear();
   measures.depth.clear();
   measures.greatest = 0.0;
@@ -132,12 +134,16 @@ void MapObjects::measure(std::span<const Pose> poses, FitnessForm form, bool wan
     for (const Pose& pose : poses) measure_corners(pose, wants_greatest, measures);
     return;
   }
-  ClearanceAlong{problem_.world(), problem_.footprint(), reference_}.at(poses, measures.distance);
+  along_->forget();
+  along_->at(poses, measures.distance);
+  measures.depth.resize(poses.size(), 0.0);
+  double greatest = 0.0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const double clearance = measures.distance[i];
-    measures.depth.push_back(clearance > 0.0 ? 0.0 : depth_of(poses[i]));
-    measures.greatest = std::max(measures.greatest, clearance);
+    if (!(clearance > 0.0)) measures.depth[i] = depth_of(poses[i]);
+    greatest = std::max(greatest, clearance);
   }
+  measures.greatest = greatest;
 }
 
 }  // namespace waywright

@@ -1,9 +1,11 @@
 // How far poses of a trajectory are from the map's objects, as the waypoint publication measures it and exactly.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "waywright/map/clearance_along.hpp"
 #include "waywright/objective/fitness.hpp"
 #include "waywright/scenario/problem.hpp"
 
@@ -16,8 +18,8 @@ class MapObjects {
 
   /// Published: least distance of the footprint's corners (a disc: its centre, less the radius) from the objects' edges, and how deep corners are in
   /// them. Corrected: exact distance of the whole footprint; depth also of the objects' corners in the footprint, at least 1 µm on contact.
-  /// Fills all but the length. `greatest` costs as much as all objects: only where wanted.
-  void measure(std::span<const Pose> poses, FitnessForm form, bool wants_greatest, TrajectoryMeasures& measures) const;
+  /// Fills all but the length. `greatest` costs as much as all objects: only where wanted. For one thread at a time: memory is kept.
+  void measure(std::span<const Pose> poses, FitnessForm form, bool wants_greatest, TrajectoryMeasures& measures);
 
   /// m, depth of a footprint that touches something. @pre it does
   double depth_of(const Pose& pose) const;
@@ -42,8 +44,10 @@ class MapObjects {
   const Problem& problem_;
   std::vector<Object> objects_;
   std::vector<Vec2> corners_;  ///< of the footprint, body frame
+  Box body_;                   ///< about them, and a little more
   double radius_ = 0.0;        ///< of a disc
   double reference_ = 1.0;
+  std::unique_ptr<ClearanceAlong> along_;
 };
 
 }  // namespace waywright

@@ -56,7 +56,9 @@ PlanningResult WaypointClothoidPlanner::plan(const Problem& problem, Budget& bud
 
   const std::vector<BestCandidates::Candidate>& kept = best.kept();
   if (kept.empty() || !candidates.chain_at(kept.back().x)) {
-    return tl::unexpected{failure_without_chain(looked, budget)};
+    std::size_t unsolved = 0;
+    const bool is_known = looked > 0 && !candidates.chain_at(middle, &unsolved);
+    return tl::unexpected{failure_without_chain(problem, looked, is_known ? std::optional{unsolved} : std::nullopt, budget)};
   }
 
   // What the samples of the search did not see, the proof does. Where it confirms no candidate's margin, the one with most clearance is taken.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "waywright/curve/clothoid.hpp"
+
 namespace waywright {
 namespace {
 
@@ -18,6 +20,51 @@ std::string courses_of(const Problem& problem, std::span<const double> x) {
 
 /// Does the body cover the point that follows the path?
 bool contains_origin(const Footprint& footprint) { return footprint.is_disc() || contains(footprint.polygon, Vec2{}); }
+
+std::size_t legs_of(const Problem& problem) { return problem.scenario().waypoints.size() + 1; }
+
+/// The i-th of start, waypoints and goal.
+Vec2 place_of(const Problem& problem, std::size_t i) {
+  const std::vector<Vec2>& waypoints = problem.scenario().waypoints;
+  return i == 0 ? problem.start().position() : i <= waypoints.size() ? waypoints[i - 1] : problem.goal().position();
+}
+
+double length_of_leg(const Problem& problem, std::size_t leg) { return distance(place_of(problem, leg), place_of(problem, leg + 1)); }
+
+/// "waypoint 2 at (6.000, 6.100) and waypoint 3 at (6.010, 6.100), which are 0.0100 m apart"
+std::string leg_words(const Problem& problem, std::size_t leg) {
+  const auto name = [&](std::size_t i) {
+    const Vec2 at = place_of(problem, i);
+    return fmt::format("{} at ({:.3f}, {:.3f})", i == 0 ? std::string{"the start"} : i == legs_of(problem) ? std::string{"the goal"} : fmt::format("waypoint {}", i), at.x, at.y);
+  };
+  return fmt::format("{} and {}, which are {:.4f} m apart", name(leg), name(leg + 1), length_of_leg(problem, leg));
+}
+
+/// Of a chain beyond the vehicle's limits: the leg that is farthest beyond one.
+std::size_t worst_leg(const Problem& problem, const Clothoids& chain) {
+  const std::size_t pieces = chain.size() / legs_of(problem);
+  const auto& rate = problem.vehicle().limits.curvature_rate;
+  double most = -1.0;
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const double over = std::max(greatest_curvature(chain[i]) / problem.vehicle().max_curvature(), rate ? std::abs(chain[i].curvature_rate) / *rate : 0.0);
+    if (!(over > most)) continue;
+    most = over;
+    worst = i / pieces;
+  }
+  return worst;
+}
+
+/// Where the bends of a chain come from: its worst leg, and beside it one that is hardly as long as the vehicle needs to turn at all.
+std::string bends_words(const Problem& problem, const Clothoids& chain) {
+  constexpr double tiny = 0.1;  // of the least radius
+  const std::size_t worst = worst_leg(problem, chain);
+  std::size_t shortest = 0;
+  for (std::size_t i = 1; i < legs_of(problem); ++i) shortest = length_of_leg(problem, i) < length_of_leg(problem, shortest) ? i : shortest;
+  std::string text = ": most between " + leg_words(problem, worst);
+  const bool is_tiny = length_of_leg(problem, shortest) < tiny / problem.vehicle().max_curvature();
+  return is_tiny && shortest != worst ? text + "; it has to turn on the way between " + leg_words(problem, shortest) : text;
+}
 
 Status status_of(const Budget& budget) { return budget.canceled() ? Status::canceled : budget.cut_short() ? Status::timed_out : Status::no_path; }
 
@@ -61,7 +108,9 @@ std::vector<Pose> picture_of(const Clothoids& chain) {
 
 Refusal refusal_of(const Problem& problem, WaypointCandidates& candidates, const Clothoids& chain) {
   if (candidates.is_beyond_limits(chain)) {
-    return {fmt::format("bends with {:.4f} 1/m, changing by {:.4f} 1/m² at most, which the vehicle cannot", greatest_curvature(chain), greatest_curvature_rate(chain)), {}};
+    return {fmt::format("bends with {:.4f} 1/m, changing by {:.4f} 1/m² at most, which the vehicle cannot{}", greatest_curvature(chain), greatest_curvature_rate(chain),
+                        bends_words(problem, chain)),
+            {}};
   }
   const WaypointCandidates::Tightest tightest = candidates.tightest_of(chain);
   const Contact& contact = tightest.contact;
@@ -116,12 +165,13 @@ std::optional<PlanningFailure> blocked_waypoint(const Problem& problem) {
   return std::nullopt;
 }
 
-PlanningFailure failure_without_chain(std::int64_t looked, const Budget& budget) {
+PlanningFailure failure_without_chain(const Problem& problem, std::int64_t looked, std::optional<std::size_t> unsolved, const Budget& budget) {
   PlanningFailure failure;
   failure.failure.status = status_of(budget);
   failure.failure.reason = looked == 0   ? "the search was ended before it looked at a candidate"
                            : looked == 1 ? "the only candidate has no chain of clothoids from waypoint to waypoint"
                                          : fmt::format("none of {} has a chain of clothoids from waypoint to waypoint", counted(looked, "candidate"));
+  if (looked > 0 && unsolved) failure.failure.reason += "; between " + leg_words(problem, *unsolved) + ", there is none";
   return failure;
 }
 

@@ -39,7 +39,7 @@ Refusal refusal_of(const Problem& problem, WaypointCandidates& candidates, const
 /// Why the best of the candidates looked at cannot be driven.
 PlanningFailure failure_of(const Problem& problem, WaypointCandidates& candidates, const Clothoids& chain, std::int64_t looked, const Budget& budget);
 
-/// Where not even a chain was found.
-PlanningFailure failure_without_chain(std::int64_t looked, const Budget& budget);
+/// Where not even a chain was found; `unsolved`: a leg that has none, if one is known.
+PlanningFailure failure_without_chain(const Problem& problem, std::int64_t looked, std::optional<std::size_t> unsolved, const Budget& budget);
 
 }  // namespace waywright
