@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "waywright/io/scenario_io.hpp"
+#include "waywright/study/merits.hpp"
 #include "waywright/study/short_names.hpp"
 #include "waywright/study/summary.hpp"
 #include "waywright/study/threads.hpp"
@@ -98,6 +99,41 @@ TEST(Compare, NoRunAndNoPathHaveNoFigures) {
   EXPECT_EQ(text.find(std::string(200, 'x')), std::string::npos) << text;
   EXPECT_EQ(text.find("0/0"), std::string::npos) << text;
   EXPECT_NE(text.find("patterns: 1 × timed_out: too slow"), std::string::npos) << text;
+}
+
+// Medians, what is left in the battery, and percentages as the publication counts them, by hand.
+TEST(Merits, ArePercentagesAgainstTheFirstWithAPath) {
+  const auto run = [](std::size_t contestant, double length, double turning, double risk, double time) {
+    waywright::Run r;
+    r.contestant = contestant;
+    r.plan.metrics.length = length;
+    r.plan.metrics.turning = turning;
+    r.plan.metrics.collision_risk = risk;
+    r.plan.metrics.travel_time = time;
+    r.plan.samples.resize(2);
+    return r;
+  };
+  waywright::Run none;  // the first contestant found no path
+  const std::vector<waywright::Run> runs{none, run(1, 100.0, pi, 4.0, 50.0), run(1, 300.0, pi, 4.0, 50.0), run(1, 200.0, pi, 4.0, 50.0), run(2, 150.0, 2.0 * pi, 1.0, 50.0)};
+  const std::vector<Merits> merits = merits_of(runs, 1, 3);
+  ASSERT_EQ(merits.size(), 2U);
+  EXPECT_EQ(merits[0].contestant, 1U);
+  EXPECT_NEAR(merits[0].length, 200.0, 1e-12);
+  EXPECT_NEAR(merits[0].power, 100.0 - 20.0 - 0.5, 1e-9);  // 200 of 1000 m, π of 200π rad
+  EXPECT_NEAR(merits[1].power, 100.0 - 15.0 - 1.0, 1e-9);
+  const Reductions r = reductions(merits[0], merits[1]);
+  EXPECT_NEAR(r.length, 25.0, 1e-9);
+  EXPECT_NEAR(r.turning, -100.0, 1e-9);
+  EXPECT_NEAR(r.risk, 75.0, 1e-9);
+  EXPECT_NEAR(r.power, 100.0 * (20.5 - 16.0) / 20.5, 1e-9);
+  EXPECT_NEAR(r.time, 0.0, 1e-9);
+  const std::vector<std::string> names{"a", "b", "c"};
+  const std::string text = merits_text(merits, 0, names);
+  EXPECT_NE(text.find("less than b, %"), std::string::npos) << text;
+  EXPECT_NE(text.find("+25.0"), std::string::npos) << text;
+  EXPECT_NE(merits_svg(merits, 0, names, "x & y").find("x &amp; y"), std::string::npos);
+  EXPECT_EQ(merits_text(merits, 1, names), "");
+  EXPECT_EQ(merits_svg({merits[0]}, 0, names, "x"), "");
 }
 
 Contestant with(const std::string& planner, std::vector<std::string> settings) {

@@ -11,6 +11,7 @@
 #include "waywright/report/charts.hpp"
 #include "waywright/report/scene.hpp"
 #include "waywright/report/words.hpp"
+#include "waywright/study/merits.hpp"
 #include "waywright/study/short_names.hpp"
 #include "waywright/study/summary.hpp"
 
@@ -265,9 +266,13 @@ int compare(const CompareArguments& arguments) {
 
   const auto summaries = summarise(runs, problems.size(), contestants->size());
   std::string text = *budget + summary_text(summaries, names, *contestants);
+  const ShortNames shown = short_names(*contestants);
+  const std::vector<Merits> merits = merits_of(runs, problems.size(), contestants->size());
+  for (std::size_t p = 0; p < problems.size(); ++p) {
+    if (const std::string table = merits_text(merits, p, shown.names); !table.empty()) text += "\n" + (problems.size() == 1 ? "" : names[p] + "\n") + table;
+  }
   std::vector<NamedContent> files{{arguments.out / "compare.csv", runs_csv(runs, names, *contestants)}};
   text += fmt::format("\nwritten: {0}/compare.csv", arguments.out.string());
-  const ShortNames shown = short_names(*contestants);
   for (std::size_t p = 0; p < problems.size(); ++p) {
     const std::string name = problems.size() == 1 ? "compare.svg" : fmt::format("compare-{}.svg", p + 1);
     const auto best = best_plans(runs, p, shown.names);
@@ -275,6 +280,11 @@ int compare(const CompareArguments& arguments) {
     const std::string chart = problems.size() == 1 ? "clearance.svg" : fmt::format("clearance-{}.svg", p + 1);
     files.push_back({arguments.out / chart, clearances_svg(problems[p], best, 860.0)});
     text += fmt::format(", {0}/{1}, {0}/{2}", arguments.out.string(), name, chart);
+    if (std::string bars = merits_svg(merits, p, shown.names, names[p]); !bars.empty()) {
+      const std::string merit = problems.size() == 1 ? "merits.svg" : fmt::format("merits-{}.svg", p + 1);
+      files.push_back({arguments.out / merit, std::move(bars)});
+      text += fmt::format(", {}/{}", arguments.out.string(), merit);
+    }
   }
   if (auto written = write_files(files); !written) return complain(written.error());
   const std::size_t wanted = problems.size() * contestants->size() * static_cast<std::size_t>(arguments.runs);
