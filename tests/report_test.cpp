@@ -153,7 +153,7 @@ TEST(Report, ShowsEveryZoneWithItsRule) {
   EXPECT_EQ(count_of(r.svg, "class=\"zonedirected\""), 3U);
   for (const char* style : {"zoneforbidden", "zonepreferred", "zonepenalty", "zonespeed"}) EXPECT_EQ(count_of(r.svg, fmt::format("class=\"{}\"", style)), 2U) << style;
   EXPECT_GE(count_of(r.svg, "class=\"zonearrowhead\""), 2U);
-  for (const char* text : {"aisle east", "picking, × 3", "main road, × 0.8", "crossing, 0.3 m/s", "charging", "one way, along the arrows"}) EXPECT_NE(r.svg.find(text), std::string::npos) << text;
+  for (const char* text : {"aisle east", "picking, × 3", "main road, × 0.6", "crossing, 0.3 m/s", "charging", "one way, along the arrows"}) EXPECT_NE(r.svg.find(text), std::string::npos) << text;
   for (const char* text : {"zone &quot;crossing&quot;", "at most 0.3 m/s", "one way, 180.0°", "Zones weigh"}) EXPECT_NE(r.html.find(text), std::string::npos) << text;
   EXPECT_EQ(count_of(report("grid_tugger.json").svg, "<polygon class=\"zone"), 0U);
 }

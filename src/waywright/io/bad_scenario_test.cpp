@@ -61,7 +61,7 @@ TEST(BadScenario, EveryFieldIsRefusedWithItsSentence) {
       {"/zones", R"([7])", R"(zones[0]: it is a number (allowed: an object))"},
       {"/zones", R"([{"area":[[0,0],[1,0],[1,1]]}])", R"(zones[0].type: the field is missing (allowed: forbidden, directed, preferred, penalty, speed_limit))"},
       {"/zones/0/type", R"("forbiden")", R"(zones[0].type: "forbiden" is not known, did you mean "forbidden"? (allowed: forbidden, directed, preferred, penalty, speed_limit))"},
-      {"/zones/0/type", R"(3)", R"(zones[0].type: it is a number (allowed: text))"},
+      {"/zones/0/type", R"(3)", R"(zones[0].type: it is a number (allowed: forbidden, directed, preferred, penalty, speed_limit))"},
       {"/zones/0/name", R"(3)", R"(zones[0].name: it is a number (allowed: text))"},
       {"/zones/0/factor", R"(3)", R"(zones[0].factor: unknown field (allowed: type, name, area))"},
       {"/zones/0/area", R"()", R"(zones[0].area: the field is missing (allowed: an array of points [x, y]))"},

@@ -78,10 +78,10 @@ class Scene {
     draw_zone_areas(svg_, problem_.scenario().zones);
     draw_zones();
     numbered_ = draw_map(svg_, problem_.scenario(), canvas_.region);
-    draw_zone_names(svg_, problem_.scenario().zones, canvas_.region);
     draw_sweep(svg_, problem_.footprint(), plan_.samples);
     draw_alternatives();
     draw_path(svg_, plan_.samples);
+    draw_zone_names(svg_, problem_.scenario().zones, canvas_.region);
     draw_stops();
     draw_waypoints(svg_, problem_.scenario());
     draw_vehicle(svg_, problem_.footprint(), problem_.first_pose(), "S");
@@ -309,7 +309,6 @@ std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std:
   open_map(svg, canvas);
   draw_zone_areas(svg, scenario.zones);
   draw_map(svg, scenario, canvas.region);
-  draw_zone_names(svg, scenario.zones, canvas.region);
   std::vector<OverlayEntry> legend;
   std::vector<std::vector<Vec2>> drawn;
   for (std::size_t i = 0; i < plans.size(); ++i) {
@@ -326,6 +325,7 @@ std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std:
     }
     legend.push_back({stroke, text + ")"});
   }
+  draw_zone_names(svg, scenario.zones, canvas.region);
   draw_waypoints(svg, scenario);
   draw_vehicle(svg, problem.footprint(), problem.first_pose(), "S");
   draw_vehicle(svg, problem.footprint(), problem.last_pose(),

@@ -86,9 +86,15 @@ void draw_zone_areas(SvgWriter& svg, const std::vector<Zone>& zones) {
 void draw_zone_names(SvgWriter& svg, const std::vector<Zone>& zones, const Box& region) {
   for (const Zone& zone : zones) {
     const std::string text = label_of(zone);
-    const Vec2 at = inner_point(zone.area);
-    if (text.empty() || !region.contains(at)) continue;
-    svg.label(at, {0.0, 4.0}, text, "note middle");
+    if (text.empty()) continue;
+    // Along the upper edge, else along the lower one, where fewer paths pass than through the middle.
+    const Box box = bounding_box(zone.area);
+    const double x = 0.5 * (std::max(box.low.x, region.low.x) + std::min(box.high.x, region.high.x)), off = 12.0 / svg.view().scale;
+    Vec2 at = inner_point(zone.area);
+    for (const Vec2 edge : {Vec2{x, box.low.y + off}, Vec2{x, box.high.y - off}}) {
+      if (contains(zone.area, edge) && region.contains(edge)) at = edge;
+    }
+    if (region.contains(at)) svg.label(at, {0.0, 4.0}, text, "note middle");
   }
 }
 
