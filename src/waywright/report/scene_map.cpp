@@ -16,12 +16,13 @@ constexpr std::size_t most_runs = 40000;  // of cells
 constexpr std::size_t most_numbers = 60;  // of obstacles and lines: more would hide the map
 
 /// What must be seen: start, goal, station, path; the map is cropped to it.
-Box region_of(const Problem& problem, const std::vector<const Plan*>& plans) {
+std::vector<Vec2> seen_of(const Problem& problem, const std::vector<const Plan*>& plans) {
   const Scenario& scenario = problem.scenario();
   std::vector<Vec2> points;
   const auto add = [&](const Ring& ring) { points.insert(points.end(), ring.begin(), ring.end()); };
   add(outline_at(problem.footprint(), problem.first_pose()));
-  add(outline_at(problem.footprint(), problem.last_pose()));
+  if (const FreeGoal* free = problem.free_goal()) add(free->area);
+  else add(outline_at(problem.footprint(), problem.last_pose()));
   if (const auto* station = std::get_if<Station>(&scenario.mission)) {
     add(station->area);
     add(station->shelf.outline());
@@ -30,12 +31,15 @@ Box region_of(const Problem& problem, const std::vector<const Plan*>& plans) {
     for (std::size_t i = 0; i < plan->samples.size(); i += 10)
       add(outline_at(problem.footprint(), plan->samples[i].pose()));
   }
-  Box box = bounding_box(points);
-  // A map that is not much larger is shown whole.
-  if (!scenario.map.boundaries.empty()) {
-    const Box whole = bounding_box(scenario.map.boundaries.front());
+  return points;
+}
+
+Box region_of(const Map& map, const std::vector<Vec2>& seen) {
+  Box box = bounding_box(seen);
+  if (!map.boundaries.empty()) {
+    const Box whole = bounding_box(map.boundaries.front());
     if (norm(whole.high - whole.low) < 3.0 * norm(box.high - box.low)) {
-      points = {box.low, box.high, whole.low, whole.high};
+      const std::vector<Vec2> points{box.low, box.high, whole.low, whole.high};
       box = bounding_box(points);
     }
   }
@@ -111,7 +115,11 @@ Ring outline_at(const Footprint& footprint, const Pose& pose) {
 }
 
 Canvas canvas_for(const Problem& problem, const std::vector<const Plan*>& plans, double width) {
-  const Box region = region_of(problem, plans);
+  return canvas_for(problem.scenario().map, seen_of(problem, plans), width);
+}
+
+Canvas canvas_for(const Map& map, const std::vector<Vec2>& seen, double width) {
+  const Box region = region_of(map, seen);
   const double w = region.high.x - region.low.x;
   const double h = region.high.y - region.low.y;
   const double scale = std::min((width - left_gutter) / w, 1.1 * width / h);
@@ -142,21 +150,20 @@ void draw_map(SvgWriter& svg, const Map& map, const Box& region) {
   }
 }
 
+void draw_station(SvgWriter& svg, const Station& station) {
+  svg.polygon(station.area, "area");
+  const Ring shelf = station.shelf.outline();
+  svg.polygon(shelf, "shelf");
+  if (station.insertion) {
+    for (const auto& [right, left] : station.insertion->pockets)
+      svg.polygon(transformed(rectangle({-station.shelf.depth, right}, {0.0, left}), station.shelf.face()), "pocket");
+  }
+  svg.line(shelf[1], shelf[2], "face");
+}
+
 bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region, bool numbered) {
   draw_map(svg, scenario.map, region);
-  if (const auto* station = std::get_if<Station>(&scenario.mission)) {
-    svg.polygon(station->area, "area");
-    const Ring shelf = station->shelf.outline();
-    svg.polygon(shelf, "shelf");
-    if (station->insertion) {
-      for (const auto& [right, left] : station->insertion->pockets) {
-        svg.polygon(
-            transformed(rectangle({-station->shelf.depth, right}, {0.0, left}), station->shelf.face()),
-            "pocket");
-      }
-    }
-    svg.line(shelf[1], shelf[2], "face");
-  }
+  if (const auto* station = std::get_if<Station>(&scenario.mission)) draw_station(svg, *station);
   return numbered && draw_numbers(svg, scenario.map, region);
 }
 

@@ -52,6 +52,7 @@ PlannerDescription theta_star_description() {
                          return GridPlanner{"theta_star", options};
                        }};
   d.counts_expansions = true;
+  d.takes_free_goals = true;
   return d;
 }
 
@@ -66,6 +67,7 @@ std::vector<PlannerDescription> grid_planner_descriptions() {
                                        : "the same without a heuristic, searching outwards on all sides",
                          parameters(has_heuristic), [name = std::string{name}](const Parameters& p, std::uint64_t) -> AnyPlanner { return GridPlanner{name, options_of(p)}; }};
     d.counts_expansions = true;
+    d.takes_free_goals = true;
     all.push_back(std::move(d));
   }
   all.push_back(theta_star_description());
