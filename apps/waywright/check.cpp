@@ -55,6 +55,10 @@ Parsed<void> apply_settings(const std::vector<std::string>& settings, std::vecto
     for (Place& place : places) {
       const PlannerDescription* planner = find_planner(place.scenario.planner.name);
       if (planner == nullptr) continue;  // told with the place
+      if (auto asked = check_somebody_asks("", settings, place.scenario); !asked) {
+        unknown = asked.error();
+        continue;
+      }
       const bool has = std::any_of(planner->parameters.begin(), planner->parameters.end(), [&](const ParameterDescription& p) { return p.name == key; });
       auto set = set_parameter(*planner, place.scenario.planner.parameters, setting);
       if (!set) {
@@ -127,6 +131,10 @@ Parsed<std::vector<Place>> places_of_scenarios(const CheckArguments& arguments) 
     note_all(scenario->map.notes, {});
     if (auto warning = alignment_warning(*scenario)) note_all({}, {*warning});
     if (!arguments.planner.empty() && arguments.planner != scenario->planner.name) scenario->planner = {arguments.planner, {}};
+    if (auto asked = check_somebody_asks(arguments.planner, {}, *scenario); !asked) {
+      asked.error().file = file.string();
+      return tl::unexpected{asked.error()};
+    }
     if (arguments.seed) scenario->seed = *arguments.seed;
     auto map = maps.take(scenario->map);
     const std::string name = scenario->name.empty() ? file.stem().string() : scenario->name;

@@ -230,7 +230,7 @@ int compare(const CompareArguments& arguments) {
   std::vector<Problem> problems;
   std::vector<std::string> names;
   for (const auto& file : arguments.scenarios) {
-    auto loaded = load(file);
+    auto loaded = load(file, [&](const Scenario& scenario) { return refuse_legs(scenario, file, "planners are compared on one mission, and legs may each want another"); });
     if (!loaded) return complain(loaded.error());
     note_all(loaded->problem.scenario().map.notes, {});
     if (auto warning = alignment_warning(loaded->problem.scenario())) note_all({}, {*warning});

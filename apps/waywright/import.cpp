@@ -10,7 +10,9 @@
 namespace waywright::app {
 
 int import(const ImportArguments& arguments) {
-  auto loaded = load(arguments.scenario);
+  auto loaded = load(arguments.scenario, [&](const Scenario& scenario) {
+    return refuse_legs(scenario, arguments.scenario, "poses from outside do not tell where a leg ends and which load is carried");
+  });
   if (!loaded) return complain(loaded.error());
   const Problem& problem = loaded->problem;
   std::vector<std::string> of_poses;

@@ -49,7 +49,16 @@ Parsed<void> write_plan(const fs::path& folder, const Problem& problem, const Pl
                       {folder / "report.html", report_html(problem, plan)}});
 }
 
-Parsed<Loaded> load(const fs::path& file, const std::function<Parsed<void>(Scenario&)>& change) {
+Parsed<void> write_plan(const fs::path& folder, const Plan& plan) {
+  return write_files({{folder / "plan.json", plan_json(plan)}, {folder / "plan.svg", plan_svg(plan)}, {folder / "report.html", report_html(plan)}});
+}
+
+Parsed<void> refuse_legs(const Scenario& scenario, const fs::path& file, const char* why, const char* allowed) {
+  if (scenario.legs.empty()) return {};
+  return tl::unexpected{InputError{file.string(), "legs", why, allowed}};
+}
+
+Parsed<LoadedScenario> load_scenario(const fs::path& file, const std::function<Parsed<void>(Scenario&)>& change) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   auto scenario = read_scenario(file);
@@ -57,16 +66,25 @@ Parsed<Loaded> load(const fs::path& file, const std::function<Parsed<void>(Scena
   if (change) {
     if (auto changed = change(*scenario); !changed) return tl::unexpected{changed.error()};
   }
-  const auto middle = Clock::now();
-  auto problem = Problem::prepare(std::move(*scenario));
+  return LoadedScenario{std::move(*scenario), std::chrono::duration<double>(Clock::now() - begin).count()};
+}
+
+Parsed<Loaded> load(const fs::path& file, const std::function<Parsed<void>(Scenario&)>& change) {
+  auto read = load_scenario(file, change);
+  if (!read) return tl::unexpected{read.error()};
+  return prepare(std::move(*read), file);
+}
+
+Parsed<Loaded> prepare(LoadedScenario read, const fs::path& file) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  auto problem = Problem::prepare(std::move(read.scenario));
   if (!problem) {
     InputError error = problem.error();
     error.file = file.string();
     return tl::unexpected{error};
   }
-  const auto end = Clock::now();
-  return Loaded{std::move(*problem), std::chrono::duration<double>(middle - begin).count(),
-                std::chrono::duration<double>(end - middle).count()};
+  return Loaded{std::move(*problem), read.load, std::chrono::duration<double>(Clock::now() - begin).count()};
 }
 
 }  // namespace waywright::app

@@ -22,6 +22,9 @@ Parsed<void> prepare_folder_of(const std::filesystem::path& file);
 /// --planner, --set and --seed go into the scenario, so that the plan file holds what was used.
 Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario);
 
+/// Refuses --planner and --set of a mission whose legs all name planners of their own.
+Parsed<void> check_somebody_asks(const std::string& planner, const std::vector<std::string>& settings, const Scenario& scenario);
+
 /// Each KEY of --set once: the last one would win in silence.
 Parsed<void> check_each_key_once(const std::vector<std::string>& settings);
 
@@ -30,12 +33,25 @@ Parsed<void> check_no_budget_over(const std::string& setting, const BudgetLimits
 
 /// plan.json, plan.svg, report.html: all or none.
 Parsed<void> write_plan(const std::filesystem::path& folder, const Problem& problem, const Plan& plan);
+/// The same of a mission in legs.
+Parsed<void> write_plan(const std::filesystem::path& folder, const Plan& plan);
+
+/// Scenario file, read and changed, with the time that took.
+struct LoadedScenario {
+  Scenario scenario;
+  double load = 0.0;  ///< s
+};
+Parsed<LoadedScenario> load_scenario(const std::filesystem::path& file, const std::function<Parsed<void>(Scenario&)>& change = {});
+
+/// For commands that know no legs: `why` is what is wrong with a mission in legs.
+Parsed<void> refuse_legs(const Scenario& scenario, const std::filesystem::path& file, const char* why, const char* allowed = "a scenario with one goal or station");
 
 /// Scenario file → problem, with the times it took.
 struct Loaded {
   Problem problem;
   double load = 0.0, prepare = 0.0;  ///< s
 };
+Parsed<Loaded> prepare(LoadedScenario scenario, const std::filesystem::path& file);
 Parsed<Loaded> load(const std::filesystem::path& scenario, const std::function<Parsed<void>(Scenario&)>& change = {});
 
 }  // namespace waywright::app

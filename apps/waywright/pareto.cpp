@@ -11,6 +11,7 @@ namespace waywright::app {
 
 int pareto(const ParetoArguments& arguments) {
   auto loaded = load(arguments.plan.scenario, [&](Scenario& scenario) -> Parsed<void> {
+    if (auto one = refuse_legs(scenario, arguments.plan.scenario, "trade-offs are those of one mission"); !one) return one;
     if (auto can = check_pareto(scenario); !can) {
       can.error().file = arguments.plan.scenario.string();
       return can;

@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
 #include <set>
 
 #include "outputs.hpp"
 #include "waywright/io/plan_io.hpp"
 #include "waywright/planner/registry.hpp"
+#include "waywright/planner/solve_legs.hpp"
 #include "waywright/report/report.hpp"
 #include "waywright/report/words.hpp"
 
@@ -25,8 +28,15 @@ Parsed<void> check_each_key_once(const std::vector<std::string>& settings) {
   return {};
 }
 
+Parsed<void> check_somebody_asks(const std::string& planner, const std::vector<std::string>& settings, const Scenario& scenario) {
+  const bool asked = scenario.legs.empty() || std::any_of(scenario.legs.begin(), scenario.legs.end(), [](const Leg& leg) { return !leg.planner; });
+  if (asked || (planner.empty() && settings.empty())) return {};
+  return tl::unexpected{InputError{"", planner.empty() ? "--set" : "--planner", "every leg names a planner of its own", "legs without a planner"}};
+}
+
 Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario) {
   if (auto once = check_each_key_once(arguments.set); !once) return once;
+  if (auto asked = check_somebody_asks(arguments.planner, arguments.set, scenario); !asked) return asked;
   if (!arguments.planner.empty() && arguments.planner != scenario.planner.name) {
     scenario.planner = {arguments.planner, {}};  // another planner has other parameters
   }
@@ -46,6 +56,11 @@ Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario) {
       if (auto set = set_parameter(*planner, scenario.planner.parameters, key_value); !set) return set;
     }
   }
+  if (!scenario.legs.empty()) {
+    auto complete = complete_legs(scenario);
+    if (!complete) complete.error().file = arguments.scenario.string();
+    return complete;
+  }
   auto complete = complete_parameters(scenario.planner);
   if (complete) {
     if (auto takes = check_mission(scenario.planner.name, scenario); !takes) {
@@ -60,30 +75,52 @@ Parsed<void> apply(const PlanArguments& arguments, Scenario& scenario) {
   return tl::unexpected{complete.error()};
 }
 
+namespace {
+
+/// What is planned: one problem, or a mission in legs, which are problems one after another.
+struct Planning {
+  std::optional<Loaded> one;
+  LoadedScenario legs;
+  const Scenario& scenario() const { return one ? one->problem.scenario() : legs.scenario; }
+  double load() const { return one ? one->load : legs.load; }
+  Parsed<Plan> solve(const std::atomic<bool>* cancel) const { return one ? waywright::solve(one->problem, cancel) : solve_legs(legs.scenario, cancel); }
+  Parsed<void> write(const std::filesystem::path& folder, const Plan& plan) const { return one ? write_plan(folder, one->problem, plan) : write_plan(folder, plan); }
+};
+
+Parsed<Planning> ready(const PlanArguments& arguments) {
+  auto read = load_scenario(arguments.scenario, [&](Scenario& scenario) { return apply(arguments, scenario); });
+  if (!read) return tl::unexpected{read.error()};
+  if (!read->scenario.legs.empty()) return Planning{std::nullopt, std::move(*read)};
+  auto loaded = prepare(std::move(*read), arguments.scenario);
+  if (!loaded) return tl::unexpected{loaded.error()};
+  return Planning{std::move(*loaded), {}};
+}
+
+}  // namespace
+
 int plan(const PlanArguments& arguments) {
-  auto loaded = load(arguments.scenario, [&](Scenario& scenario) { return apply(arguments, scenario); });
-  if (!loaded) return complain(loaded.error());
-  const Problem& problem = loaded->problem;
-  const std::filesystem::path folder = arguments.out.value_or(default_folder(
-      problem.scenario().name.empty() ? arguments.scenario.stem().string() : problem.scenario().name));
+  const auto planning = ready(arguments);
+  if (!planning) return complain(planning.error());
+  const std::string& name = planning->scenario().name;
+  const std::filesystem::path folder = arguments.out.value_or(default_folder(name.empty() ? arguments.scenario.stem().string() : name));
   const bool write = !arguments.json || arguments.out;
   if (write) {
-    if (auto ready = prepare_folder(folder); !ready) return complain(ready.error());
+    if (auto made = prepare_folder(folder); !made) return complain(made.error());
   }
   auto plan = [&] {
     const Interruptible interruptible;
-    return solve(problem, interruptible.flag());
+    return planning->solve(interruptible.flag());
   }();
   if (!plan) {
     InputError error = plan.error();
     error.file = arguments.scenario.string();
     return complain(error);
   }
-  plan->timing.load = loaded->load;
-  plan->timing.prepare += loaded->prepare;
+  plan->timing.load = planning->load();
+  if (planning->one) plan->timing.prepare += planning->one->prepare;
   note_all(plan->scenario.map.notes, warnings(*plan));
   if (write) {
-    if (auto written = write_plan(folder, problem, *plan); !written) return complain(written.error());
+    if (auto written = planning->write(folder, *plan); !written) return complain(written.error());
   }
   const bool printed =
       arguments.json

@@ -64,9 +64,14 @@ int replan(const ReplanArguments& arguments) {
     }
     return complain(error);
   };
+  if (auto one = refuse_legs(old->scenario, arguments.plan, "a mission in legs is not planned anew while it is driven", "a plan of one goal or station"); !one) {
+    one.error().field = "scenario.legs";
+    return complain(one.error());
+  }
   auto was = Problem::prepare(old->scenario);
   if (!was) return complain_of(was.error(), "scenario.");
   if (!was->scenario().waypoints.empty()) return complain_of({"", "waypoints", "a mission through waypoints is not planned anew while it is driven", "docking, a goal pose"}, "scenario.");
+  if (was->free_goal() != nullptr) return complain_of({"", "goal", "a goal that leaves the heading free is not planned anew while it is driven", "docking, a goal pose"}, "scenario.");
   if (was->is_driven_back()) return complain_of({"", "station.manoeuvre", "the way out of a shelf is not planned anew while it is driven", "dock"}, "scenario.");
   // What a file claims is believed where it verifies: its samples may be slower than the vehicle could.
   const auto verification = [&] {

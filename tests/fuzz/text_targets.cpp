@@ -10,6 +10,8 @@
 #include "waywright/io/site_csv.hpp"
 #include "waywright/io/test_files.hpp"
 #include "waywright/judge/import.hpp"
+#include "waywright/judge/legs.hpp"
+#include "waywright/planner/solve_legs.hpp"
 
 namespace waywright::fuzz {
 namespace {
@@ -61,6 +63,13 @@ Outcome run_scenario(const std::string& text) {
   const auto again = parse_scenario(scenario_json(*scenario), "again", "nowhere");
   require(again.has_value(), "what was accepted is written so that it is accepted again");
   require(fingerprint(*again) == fingerprint(*scenario), "what was accepted reads back to the same bits");
+  if (!scenario->legs.empty()) {
+    Scenario mission = *scenario;
+    if (const auto complete = complete_legs(mission); !complete) require_sentence(complete.error());
+    else if (const auto first = prepare_leg(mission, first_leg(mission), World{mission.map}); !first) require_sentence(first.error());
+    else if (const auto ends = first->check_ends()) require(ends->reason.size() > 5, "an end that cannot be is told why");
+    return Outcome::accepted;
+  }
   const auto problem = Problem::prepare(*scenario);
   if (!problem) {
     require_sentence(problem.error());
@@ -177,7 +186,30 @@ std::vector<std::string> plan_seeds() {
                  {ZoneType::forbidden, "closed", rectangle({3, 3}, {4, 4}), 0.0, 1.0, 1.0}};
   const Path through{{{Line{{0, 0}, {0.5, 0}}, 1}, {Clothoid{{0.5, 0, 0}, 0.0, 0.5, 0.4}, 1}, {PoseSequence{{{0.9, 0.005, 0.04}, {1.0, 0.01, 0.05}}}, 1}}};
   const Plan through_zones = judge(Problem::prepare(zoned).value(), through);
-  return {plan_json(every), plan_json(holds), plan_json(through_zones)};
+
+  // Two legs with a load between them, and the same as far as its first.
+  Scenario mission = beside;
+  mission.vehicle.loads["crate"] = {{rectangle({-0.35, -0.3}, {0.4, 0.35}), 0.0}, 20.0};
+  Leg out, back;
+  out.mission = FreeGoal{{{0.3, 0.0}}};
+  out.name = "out";
+  out.load = "crate";
+  back.mission = Pose{0.1, 0.0, 0.0};
+  back.planner = PlannerChoice{"astar", {}};
+  mission.legs = {out, back};
+  const auto legs_of = [&](std::size_t count) {
+    std::vector<JudgedLeg> legs;
+    LegBegin begin = first_leg(mission);
+    for (const Path& part : {Path{{{Line{{0, 0}, {0.3, 0}}, 1}}}, Path{{{Line{{0.3, 0}, {0.1, 0}}, -1}}}}) {
+      const Problem problem = prepare_leg(mission, begin, World{mission.map}).value();
+      Plan plan = legs.size() < count ? judge(problem, part) : failed_plan(problem, {Status::no_path, "nothing was found", {}, {}});
+      const Pose end = end_of(problem, part);
+      legs.push_back({begin, end, std::move(plan)});
+      begin = next_leg(mission, begin, end);
+    }
+    return plan_json(join_legs(mission, std::move(legs)));
+  };
+  return {plan_json(every), plan_json(holds), plan_json(through_zones), legs_of(2), legs_of(1)};
 }
 
 std::vector<std::string> poses_seeds() {

@@ -99,9 +99,9 @@ TEST(BadScenario, EveryFieldIsRefusedWithItsSentence) {
       {"/start/curvature", R"("left")", R"(start.curvature: it is text (allowed: a number from -1000 to 1000))"},
       {"/start/velocity", R"(0)", R"(start.velocity: unknown field (allowed: pose, speed, curvature))"},
       {"/start/pose", R"()", R"(start.pose: the field is missing (allowed: [x, y, heading]))"},
-      {"/goal", R"([1,2,3])", R"(goal, station: more than one mission is given (allowed: exactly one of goal, station))"},
-      {"/station", R"()", R"(goal: the mission is missing (allowed: exactly one of goal, station))"},
-      {"/legs", R"([])", R"(station, legs: more than one mission is given (allowed: exactly one of goal, station))"},
+      {"/goal", R"([1,2,3])", R"(goal, station: more than one mission is given (allowed: exactly one of goal, station, legs))"},
+      {"/station", R"()", R"(goal: the mission is missing (allowed: exactly one of goal, station, legs))"},
+      {"/legs", R"([])", R"(station, legs: more than one mission is given (allowed: exactly one of goal, station, legs))"},
       {"/waypoints", R"([[1,2],[3]])", R"(waypoints[1]: it has 1 element (allowed: [x, y]))"},
       {"/waypoints", R"(null)", R"(waypoints: it is null (allowed: an array of points [x, y]))"},
       {"/waypoint_radius", "-0.1", "waypoint_radius: -0.1 is out of range (allowed: 0 to 1000)"},
@@ -231,23 +231,65 @@ TEST(BadScenario, ZonesAreBoundedInNumberAndCorners) {
   EXPECT_EQ(sentence_of(scenario.dump()), "s.json: zones[0].area: the polygon has 1001 corners (allowed: at most 1000)");
 }
 
-TEST(BadScenario, MissionsThatComeLaterAreNamed) {
+TEST(BadScenario, EachKindOfGoalIsRefusedWithItsSentence) {
+  const std::string kinds = " (allowed: [x, y, heading]; [x, y] with any heading; {\"region\": polygon})";
   const BadField fields[] = {
-      {"/goal", "[1, 2]",
-       "goal: a goal with free heading is not supported yet (allowed: a pose [x, y, heading])"},
-      {"/goal", R"({"region": [[0,0],[1,0],[1,1]]})",
-       "goal: a goal region is not supported yet (allowed: a pose [x, y, heading])"},
-      {"/goal", "[1]", "goal: it has 1 element (allowed: [x, y, heading])"},
-      {"/goal", "null", "goal: it is null (allowed: [x, y, heading])"},
+      {"/goal", "[1]", "goal: it has 1 element"},
+      {"/goal", "[1, 2, 3, 4]", "goal: it has 4 elements"},
+      {"/goal", "null", "goal: it is null"},
+      {"/goal", "\"dock\"", "goal: it is text"},
   };
-  for (const BadField& field : fields)
-    EXPECT_EQ(sentence_of(changed(least_scenario, field).dump()), "s.json: " + std::string{field.sentence});
+  for (const BadField& field : fields) EXPECT_EQ(sentence_of(changed(least_scenario, field).dump()), "s.json: " + std::string{field.sentence} + kinds);
+  const BadField others[] = {
+      {"/goal", "[1, \"east\"]", "goal[1]: it is text (allowed: a number from -1000000 to 1000000)"},
+      {"/goal", "{}", "goal.region: the field is missing (allowed: an array of points [x, y])"},
+      {"/goal", R"({"region": [[0,0],[1,0]]})", "goal.region: a polygon needs at least 3 different corners and this one has 2 (allowed: a simple polygon of at least 3 corners with an area)"},
+      {"/goal", R"({"region": [[0,0],[1,1],[1,0],[0,1]]})", "goal.region: edges 0 and 2 cross at (0.5, 0.5) (allowed: a simple polygon of at least 3 corners with an area)"},
+      {"/goal", R"({"area": []})", "goal.area: unknown field (allowed: region)"},
+  };
+  for (const BadField& field : others) EXPECT_EQ(sentence_of(changed(least_scenario, field).dump()), "s.json: " + std::string{field.sentence});
+  EXPECT_EQ(sentence_of(changed(least_scenario, {"/goal", R"({"region": [[0,0],[1,0],[1,1]]})", ""}).dump()), "accepted");
+  EXPECT_EQ(sentence_of(changed(least_scenario, {"/goal", "[1, 2]", ""}).dump()), "accepted");
+}
+
+TEST(BadScenario, EachLegIsRefusedWithItsSentence) {
+  const BadField fields[] = {
+      // clang-format off
+      {"/legs", "[]", "legs: there is none (allowed: 1 to 1000)"},
+      {"/legs", "null", "legs: it is null (allowed: an array)"},
+      {"/legs", "{}", "legs: it is an object (allowed: an array)"},
+      {"/legs/1", "7", "legs[1]: it is a number (allowed: an object)"},
+      {"/legs/1", "{}", "legs[1].goal: the mission is missing (allowed: one of goal, station; with \"undock\" both)"},
+      {"/legs/1/legs", "[]", "legs[1].legs: unknown field (allowed: name, goal, station, waypoints, waypoint_radius, load, planner)"},
+      {"/legs/1/start", "[0,0,0]", "legs[1].start: unknown field (allowed: name, goal, station, waypoints, waypoint_radius, load, planner)"},
+      {"/legs/1/name", "1", "legs[1].name: it is a number (allowed: text)"},
+      {"/legs/1/goal", "[1]", "legs[1].goal: it has 1 element (allowed: [x, y, heading]; [x, y] with any heading; {\"region\": polygon})"},
+      {"/legs/1/load", "5", "legs[1].load: it is a number (allowed: the name of a load, or null)"},
+      {"/legs/1/load", "\"\"", "legs[1].load: the name is empty (allowed: the name of a load, or null)"},
+      {"/legs/1/planner", "\"astar\"", "legs[1].planner: it is text (allowed: an object of parameters by name)"},
+      {"/legs/1/planner", "{}", "legs[1].planner.name: the field is missing (allowed: text)"},
+      {"/legs/1/waypoints", "[[1]]", "legs[1].waypoints[0]: it has 1 element (allowed: [x, y])"},
+      {"/legs/1/waypoint_radius", "0.1", "legs[1].waypoint_radius: there are no waypoints (allowed: no such field)"},
+      {"/legs/0/goal", "[1,0,0]", "legs[0].goal: it stands beside a station to dock at (allowed: it goes with \"manoeuvre\": \"undock\")"},
+      {"/legs/0/station/manoeuvre", "\"undock\"", "legs[0].goal: the field is missing (allowed: a pose [x, y, heading]: where the way out of the station ends)"},
+      {"/legs/0/station/manoeuvre", "\"park\"", "legs[0].station.manoeuvre: \"park\" is not known (allowed: dock, undock)"},
+      {"/legs/0/station/area", "[]", "legs[0].station.area: the polygon is empty (allowed: at least 3 corners [x, y])"},
+      {"/waypoints", "[]", "waypoints: it stands beside legs (allowed: waypoints of a leg)"},
+      {"/goal", "[1,0,0]", "goal, legs: more than one mission is given (allowed: exactly one of goal, station, legs)"},
+      // clang-format on
+  };
   Json legs = Json::parse(least_scenario);
   legs.erase("goal");
-  for (const char* value : {"[]", R"([{"goal": [1, 0, 0]}])", "null"}) {
-    legs["legs"] = Json::parse(value);
-    EXPECT_EQ(sentence_of(legs.dump()), "s.json: legs: it is not supported yet (allowed: goal, station)");
+  legs["legs"] = Json::array({Json{{"station", Json::parse(full_scenario)["station"]}, {"load", nullptr}}, Json{{"goal", Json::array({1, 0, 0})}, {"name", "there"}}});
+  const std::string text = legs.dump();
+  ASSERT_EQ(sentence_of(text), "accepted");
+  for (const BadField& field : fields) {
+    SCOPED_TRACE(std::string{field.pointer} + " = " + field.value);
+    EXPECT_EQ(sentence_of(changed(text.c_str(), field).dump()), "s.json: " + std::string{field.sentence});
   }
+  legs["legs"] = Json::array();
+  for (int i = 0; i < 1001; ++i) legs["legs"].push_back({{"goal", {1, 0, 0}}});
+  EXPECT_EQ(sentence_of(legs.dump()), "s.json: legs: there are 1001 (allowed: 1 to 1000)");
 }
 
 TEST(BadScenario, ANewerFormatComesBeforeItsUnknownFields) {

@@ -168,6 +168,11 @@ Certificate read_certificate(const Node& node, std::string& obstacle) {
   return c;
 }
 
+Status read_status(const Node& node) {
+  const std::string status = node.word({"solved", "unproven", "no_path", "start_in_collision", "goal_in_collision", "start_outside", "goal_outside", "timed_out", "canceled"});
+  return status_from_string(status).value_or(Status::no_path);
+}
+
 Timing read_timing(const Node& node) {
   Timing timing;
   if (!node.is_object_of({"load", "prepare", "plan", "prove"})) return timing;
@@ -184,6 +189,43 @@ Effort read_effort(const Node& node) {
   if (node.has("expansions")) effort.expansions = node.at("expansions").integer(0, largest_count);
   if (node.has("evaluations")) effort.evaluations = node.at("evaluations").integer(0, largest_count);
   return effort;
+}
+
+LegResult read_leg_result(const Node& node) {
+  LegResult leg;
+  if (!node.is_object_of({"name", "load", "planner", "status", "reason", "start", "end", "pieces", "samples", "effort", "metrics", "certificate"})) return leg;
+  leg.name = node.at("name").text();
+  if (node.given("load")) leg.load = node.at("load").text();
+  const Node planner = node.at("planner");
+  if (!planner.is_object_of({"name", "parameters"})) return leg;
+  leg.planner = planner.at("name").text();
+  leg.parameters = read_parameters(planner.at("parameters"));
+  leg.status = read_status(node.at("status"));
+  if (node.given("reason")) leg.reason = node.at("reason").text();
+  leg.start = node.at("start").pose(largest_on_path);
+  leg.end = node.at("end").pose(largest_on_path);
+  const auto count = [&](const char* field) { return static_cast<std::size_t>(node.at(field).integer(0, largest_count)); };
+  leg.pieces = count("pieces");
+  leg.samples = count("samples");
+  if (node.has("effort")) leg.effort = read_effort(node.at("effort"));
+  if (node.failed()) return leg;
+  leg.has_path = leg.pieces > 0 || node.given("metrics") || node.given("certificate");
+  if (!leg.has_path) return leg;
+  leg.metrics = read_metrics(node.at("metrics"));
+  leg.certificate = read_certificate(node.at("certificate"), leg.tightest_obstacle);
+  return leg;
+}
+
+/// As many as the scenario has, or fewer where the mission came to its end before.
+void read_leg_results(const Node& node, Plan& plan) {
+  const std::size_t most = plan.scenario.legs.size();
+  if (node.is_array() && node.json().size() > most) {
+    return node.fail(fmt::format("there are {}", node.json().size()), most == 0 ? "no such field, as the scenario has no legs" : fmt::format("at most {}, as the scenario has", most));
+  }
+  for (const Node& leg : node.elements()) {
+    plan.legs.push_back(read_leg_result(leg));
+    if (node.failed()) return;
+  }
 }
 
 /// `meta` is free: alternatives are taken where they are what our writer writes, and left alone where they
@@ -237,15 +279,12 @@ Plan read_plan_node(const Node& node, const std::filesystem::path& folder) {
   Plan plan;
   check_format(node, "plan");  // first: a newer one may well have fields that are unknown here
   if (node.failed() || !node.is_object_of({"format", "version", "status", "reason", "reproducible",
-                                           "scenario", "planner", "seed", "timing", "effort", "path",
+                                           "scenario", "planner", "seed", "timing", "effort", "legs", "path",
                                            "metrics", "certificate", "explanation", "meta"})) {
     return plan;
   }
   plan.version = node.at("version").text();
-  const std::string status =
-      node.at("status").word({"solved", "unproven", "no_path", "start_in_collision", "goal_in_collision",
-                              "start_outside", "goal_outside", "timed_out", "canceled"});
-  plan.status = status_from_string(status).value_or(Status::no_path);
+  plan.status = read_status(node.at("status"));
   if (node.given("reason")) plan.reason = node.at("reason").text();
   if (node.has("reproducible")) plan.reproducible = node.at("reproducible").boolean();
   if (node.failed()) return plan;
@@ -262,6 +301,7 @@ Plan read_plan_node(const Node& node, const std::filesystem::path& folder) {
   if (node.has("timing")) plan.timing = read_timing(node.at("timing"));
   if (node.has("effort")) plan.effort = read_effort(node.at("effort"));
   if (node.failed()) return plan;
+  if (node.has("legs")) read_leg_results(node.at("legs"), plan);
   read_result(node, plan);
   if (node.has("explanation")) {
     for (const Node& sentence : node.at("explanation").elements())

@@ -92,8 +92,7 @@ Json metrics_to_json(const Metrics& metrics) {
   return j;
 }
 
-Json certificate_to_json(const Plan& plan) {
-  const Certificate& c = plan.certificate;
+Json certificate_to_json(const Certificate& c, const std::string& obstacle) {
   Json j{{"collision_free", c.collision_free},
          {"clearance", written(c.clearance)},
          {"tolerance", c.tolerance},
@@ -102,9 +101,30 @@ Json certificate_to_json(const Plan& plan) {
   if (c.tightest) {
     j["tightest"] = {{"pose", to_json(*c.tightest)},
                      {"point", to_json(c.tightest_point)},
-                     {"obstacle", plan.tightest_obstacle}};
+                     {"obstacle", obstacle}};
   }
   return j;
+}
+
+Json effort_to_json(const Effort& effort) {
+  Json j{{"evaluations", effort.evaluations}};
+  if (effort.expansions > 0) j["expansions"] = effort.expansions;
+  return j;
+}
+
+Json leg_to_json(const LegResult& leg) {
+  return {{"name", leg.name},
+          {"load", leg.load.empty() ? Json(nullptr) : Json(leg.load)},
+          {"planner", {{"name", leg.planner}, {"parameters", parameters_to_json(leg.parameters)}}},
+          {"status", to_string(leg.status)},
+          {"reason", leg.reason.empty() ? Json(nullptr) : Json(leg.reason)},
+          {"start", to_json(leg.start)},
+          {"end", to_json(leg.end)},
+          {"pieces", leg.pieces},
+          {"samples", leg.samples},
+          {"effort", effort_to_json(leg.effort)},
+          {"metrics", leg.has_path ? metrics_to_json(leg.metrics) : Json(nullptr)},
+          {"certificate", leg.has_path ? certificate_to_json(leg.certificate, leg.tightest_obstacle) : Json(nullptr)}};
 }
 
 Json alternatives_to_json(const std::vector<Alternative>& alternatives) {
@@ -134,8 +154,12 @@ std::string plan_json(const Plan& plan) {
                  {"prepare", plan.timing.prepare},
                  {"plan", plan.timing.plan},
                  {"prove", plan.timing.prove}};
-  j["effort"] = {{"evaluations", plan.effort.evaluations}};
-  if (plan.effort.expansions > 0) j["effort"]["expansions"] = plan.effort.expansions;
+  j["effort"] = effort_to_json(plan.effort);
+  if (!plan.legs.empty()) {
+    Json legs = Json::array();
+    for (const LegResult& leg : plan.legs) legs.push_back(leg_to_json(leg));
+    j["legs"] = std::move(legs);
+  }
   if (plan.path.pieces.empty()) {
     j["path"] = j["metrics"] = j["certificate"] = nullptr;
   } else {
@@ -143,7 +167,7 @@ std::string plan_json(const Plan& plan) {
     for (const Piece& piece : plan.path.pieces) pieces.push_back(piece_to_json(piece));
     j["path"] = {{"pieces", std::move(pieces)}, {"samples", samples_to_json(plan.samples)}};
     j["metrics"] = metrics_to_json(plan.metrics);
-    j["certificate"] = certificate_to_json(plan);
+    j["certificate"] = certificate_to_json(plan.certificate, plan.tightest_obstacle);
   }
   j["explanation"] = plan.explanation;
   j["meta"] = {{"alternatives", alternatives_to_json(plan.alternatives)}};

@@ -9,6 +9,7 @@
 
 #include "waywright/io/files.hpp"
 #include "waywright/io/map_json.hpp"
+#include "waywright/io/mission_json.hpp"
 #include "waywright/io/scenario_json.hpp"
 #include "waywright/io/vehicle_io.hpp"
 #include "waywright/io/zones_json.hpp"
@@ -20,11 +21,8 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
 
-constexpr double longest = 1e4;  // m, of shelves and gaps
 constexpr double fastest = 1e3;  // m/s
 constexpr double sharpest = 1e3;  // 1/m
-constexpr std::size_t most_pockets = 1000;
-constexpr std::size_t most_waypoints = 1000;
 
 /// A list that may stand there as long as it is empty.
 void not_yet(const Node& node, const char* field) {
@@ -36,15 +34,6 @@ void not_yet(const Node& node, const char* field) {
     list.fail("it is not supported yet", "an empty array");
 }
 
-/// Says so where a heading looks like one in degrees.
-void doubt(const Node& heading, std::vector<std::string>& notes) {
-  if (heading.failed() || !heading.json().is_number()) return;
-  if (const auto sentence = heading_doubt(heading.json().get<double>())) notes.push_back(heading.path() + ": " + *sentence);
-}
-void doubt_pose(const Node& pose, std::vector<std::string>& notes) {
-  if (!pose.failed() && pose.is_array() && pose.json().size() == 3) doubt(pose.at(2), notes);
-}
-
 void read_start(const Node& node, Scenario& scenario) {
   if (!node.is_object()) {
     scenario.start = node.pose();
@@ -54,88 +43,6 @@ void read_start(const Node& node, Scenario& scenario) {
   scenario.start = node.at("pose").pose();
   if (node.has("speed")) scenario.start_motion.speed = node.at("speed").number(-fastest, fastest);
   if (node.has("curvature")) scenario.start_motion.curvature = node.at("curvature").number(-sharpest, sharpest);
-}
-
-Shelf read_shelf(const Node& node) {
-  Shelf shelf;
-  if (!node.is_object_of({"center", "heading", "size", "gap", "slot"})) return shelf;
-  shelf.center = node.at("center").point();
-  shelf.heading = wrap(node.at("heading").number(-1e6, 1e6));
-  const Node size = node.at("size");
-  if (!size.is_array_of(2, "[depth, width]")) return shelf;
-  shelf.depth = size.at(std::size_t{0}).number_above(0.0, longest);
-  shelf.width = size.at(1).number_above(0.0, longest);
-  if (node.failed()) return shelf;
-  if (node.has("gap")) shelf.gap = node.at("gap").number(0.0, longest);
-  if (node.has("slot")) shelf.slot = node.at("slot").number(-0.5 * shelf.width, 0.5 * shelf.width);
-  return shelf;
-}
-
-Insertion read_insertion(const Node& node, const Shelf& shelf) {
-  Insertion insertion;
-  if (!node.is_object_of({"depth", "pockets"})) return insertion;
-  insertion.depth = node.at("depth").number_above(0.0, shelf.depth);
-  const Node pockets = node.at("pockets");
-  for (const Node& pocket : pockets.elements()) {
-    if (!pocket.is_array_of(2, "[y0, y1]")) return insertion;
-    const auto edge = [&](std::size_t i) { return pocket.at(i).number(-0.5 * shelf.width, 0.5 * shelf.width); };
-    insertion.pockets.push_back({edge(0), edge(1)});
-    if (node.failed()) return insertion;
-    const auto [right, left] = insertion.pockets.back();
-    if (!(right < left)) pocket.fail(fmt::format("[{}, {}] has no width", right, left), "[y0, y1] with y0 < y1");
-  }
-  if (insertion.pockets.empty()) pockets.fail("there is no pocket", "at least one [y0, y1]");
-  if (insertion.pockets.size() > most_pockets) {
-    pockets.fail(fmt::format("there are {} pockets", insertion.pockets.size()), fmt::format("at most {}", most_pockets));
-  }
-  return insertion;
-}
-
-Station read_station(const Node& node, std::vector<std::string>& notes) {
-  Station station;
-  if (!node.is_object_of({"area", "shelf", "manoeuvre", "insertion"})) return station;
-  if (node.has("manoeuvre") && node.at("manoeuvre").word({"dock", "undock"}) == "undock") station.manoeuvre = Manoeuvre::undock;
-  station.area = read_ring(node.at("area"), notes);
-  if (!node.failed()) station.shelf = read_shelf(node.at("shelf"));
-  if (node.has("insertion") && !node.failed()) station.insertion = read_insertion(node.at("insertion"), station.shelf);
-  return station;
-}
-
-Mission read_mission(const Node& node, std::vector<std::string>& notes) {
-  std::string given;
-  int missions = 0;
-  for (const char* mission : {"goal", "station", "legs"}) {
-    if (!node.has(mission)) continue;
-    given += (missions++ == 0 ? "" : ", ") + std::string{mission};
-  }
-  if (missions != 1) {
-    node.context().fail(missions == 0 ? "goal" : given,
-                        missions == 0 ? "the mission is missing" : "more than one mission is given",
-                        "exactly one of goal, station");
-    return Pose{};
-  }
-  if (node.has("legs")) {
-    node.at("legs").fail("it is not supported yet", "goal, station");
-    return Pose{};
-  }
-  if (node.has("station")) return read_station(node.at("station"), notes);
-  const Node goal = node.at("goal");
-  if (goal.is_object()) {
-    goal.fail("a goal region is not supported yet", "a pose [x, y, heading]");
-    return Pose{};
-  }
-  if (goal.is_array() && goal.json().size() == 2) {
-    goal.fail("a goal with free heading is not supported yet", "a pose [x, y, heading]");
-    return Pose{};
-  }
-  return goal.pose();
-}
-
-std::vector<Vec2> read_waypoints(const Node& node) {
-  if (node.is_array() && node.json().empty()) return {};
-  std::vector<Vec2> waypoints = node.points();
-  if (waypoints.size() > most_waypoints) node.fail(fmt::format("it has {} points", waypoints.size()), fmt::format("at most {}", most_waypoints));
-  return waypoints;
 }
 
 PoseError read_pose_error(const Node& node) {
@@ -248,16 +155,9 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder, const Site
   notes.insert(notes.end(), noted.begin(), noted.end());
   read_start(node.at("start"), scenario);
   doubt_pose(node.at("start").has("pose") ? node.at("start").at("pose") : node.at("start"), notes);
-  scenario.mission = read_mission(node, notes);
-  if (node.has("goal")) doubt_pose(node.at("goal"), notes);
-  if (std::holds_alternative<Station>(scenario.mission) && !node.failed()) doubt(node.at("station").at("shelf").at("heading"), notes);
+  read_whole_mission(node, scenario);
   if (site == nullptr && !node.failed() && node.at("map").has("dxf")) {
     for (std::string& sentence : outline_doubts(scenario.map, scenario.start.position())) notes.push_back("map: " + std::move(sentence));
-  }
-  if (node.has("waypoints")) scenario.waypoints = read_waypoints(node.at("waypoints"));
-  if (node.has("waypoint_radius")) {
-    scenario.waypoint_radius = node.at("waypoint_radius").number(0.0, 1e3);
-    if (scenario.waypoints.empty()) node.at("waypoint_radius").fail("there are no waypoints", "no such field");
   }
   if (node.has("carried_load")) scenario.carried_load = node.at("carried_load").text();
   if (node.has("clearance")) scenario.clearance = node.at("clearance").number(0.0, 1e3);
@@ -266,10 +166,10 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder, const Site
   not_yet(node, "moving");
   if (node.has("budget")) scenario.budget = read_budget(node.at("budget"));
   if (!scenario.waypoints.empty()) scenario.planner.name = planner_through_waypoints;
+  if (std::holds_alternative<FreeGoal>(scenario.mission)) scenario.planner.name = planner_to_free_goals;
   if (node.has("planner")) {
     const Node planner = node.at("planner");
-    if (planner.is_object()) scenario.planner.name = planner.at("name").text();
-    scenario.planner.parameters = read_parameters(planner);
+    scenario.planner = read_planner(planner);
   }
   if (node.has("seed")) scenario.seed = static_cast<std::uint64_t>(node.at("seed").integer(0, most));
   if (notes.size() > notes_of_map) source["notes"] = notes;
@@ -318,30 +218,7 @@ Json scenario_to_json(const Scenario& scenario) {
   } else {
     j["start"] = {{"pose", to_json(scenario.start)}, {"speed", motion.speed}, {"curvature", motion.curvature}};
   }
-  if (const auto* station = std::get_if<Station>(&scenario.mission)) {
-    const Shelf& shelf = station->shelf;
-    j["station"] = {{"area", to_json(station->area)},
-                    {"shelf",
-                     {{"center", to_json(shelf.center)},
-                      {"heading", shelf.heading},
-                      {"size", Json::array({shelf.depth, shelf.width})},
-                      {"gap", shelf.gap},
-                      {"slot", shelf.slot}}},
-                    {"manoeuvre", station->manoeuvre == Manoeuvre::dock ? "dock" : "undock"}};
-    if (station->insertion) {
-      Json pockets = Json::array();
-      for (const auto& [right, left] : station->insertion->pockets) pockets.push_back(Json::array({right, left}));
-      j["station"]["insertion"] = {{"depth", station->insertion->depth}, {"pockets", std::move(pockets)}};
-    }
-  } else {
-    j["goal"] = to_json(std::get<Pose>(scenario.mission));
-    if (!scenario.waypoints.empty()) {
-      Json points = Json::array();
-      for (const Vec2 p : scenario.waypoints) points.push_back(to_json(p));
-      j["waypoints"] = std::move(points);
-      j["waypoint_radius"] = scenario.waypoint_radius;
-    }
-  }
+  mission_to_json(scenario, j);
   if (!scenario.carried_load.empty()) j["carried_load"] = scenario.carried_load;
   j["clearance"] = scenario.clearance;
   j["pose_error"] = {{"lateral", scenario.pose_error.lateral},

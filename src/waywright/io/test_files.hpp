@@ -134,15 +134,22 @@ class Fingerprint {
     }
   }
   void add(const Zone& z) { add_all(static_cast<int>(z.type), z.name, z.area, z.direction, z.factor, z.speed); }
-  void add(const Scenario& s) {
-    add(s.zones);
-    add_all(s.name, s.meta, s.map, s.map_source, s.vehicle, s.start);
-    if (const auto* station = std::get_if<Station>(&s.mission)) {
+  void add(const Mission& mission) {
+    if (const auto* station = std::get_if<Station>(&mission)) {
       const Shelf& f = station->shelf;
       add_all(station->area, f.center, f.heading, f.depth, f.width, f.gap, f.slot);
+    } else if (const auto* free = std::get_if<FreeGoal>(&mission)) {
+      add(free->area);
     } else {
-      add(std::get<Pose>(s.mission));
+      add(std::get<Pose>(mission));
     }
+  }
+  void add(const PlannerChoice& c) { add_all(c.name, c.parameters); }
+  void add(const Leg& l) { add_all(l.name, l.mission, l.exit, l.waypoints, l.waypoint_radius, l.load, l.planner); }
+  void add(const Scenario& s) {
+    add(s.zones);
+    add_all(s.name, s.meta, s.map, s.map_source, s.vehicle, s.start, s.mission);
+    add_all(s.legs, s.waypoints);
     add_all(s.clearance, s.pose_error.lateral, s.pose_error.longitudinal, s.pose_error.heading,
             s.budget.evaluations, s.budget.expansions, s.budget.samples, s.budget.seconds, s.planner.name,
             s.planner.parameters, s.seed);
@@ -178,6 +185,10 @@ class Fingerprint {
     add_all(c.collision_free, c.clearance, c.tolerance, c.checked_length, c.tightest, c.tightest_point,
             p.tightest_obstacle);
     add_all(p.explanation, p.alternatives);
+    for (const LegResult& l : p.legs) {
+      add_all(l.name, l.load, l.planner, l.parameters, std::string{to_string(l.status)}, l.reason, l.start, l.end, l.has_path, static_cast<std::uint64_t>(l.pieces),
+              static_cast<std::uint64_t>(l.samples), l.metrics.length, l.metrics.mean_clearance, l.certificate.clearance, l.certificate.checked_length, l.tightest_obstacle);
+    }
   }
 
  private:

@@ -97,7 +97,7 @@ Plan judge_imported(const Problem& problem, Path path, std::vector<PoseSpeed> sp
   }
   const std::string pocket_said = problem.pocket() ? separate_pocket_stretch(problem, path) : std::string{};
   for (const auto& said : {pocket_said, snap(path.pieces.front(), false, problem.first_pose(), "first"),
-                           snap(path.pieces.back(), true, problem.last_pose(), "last")}) {
+                           problem.free_goal() != nullptr ? std::string{} : snap(path.pieces.back(), true, problem.last_pose(), "last")}) {
     if (!said.empty()) explanation.push_back(said);
   }
   Plan plan = judge(problem, std::move(path));

@@ -28,5 +28,7 @@ struct Verification {
 /// Re-proves `plan` (path from its pieces; samples, metrics and certificate checked against them).
 /// Error where the scenario inside it cannot be prepared.
 Parsed<Verification> verify(const Plan& plan);
+/// The same of a plan without legs whose problem is there already.
+Verification verify(const Problem& problem, const Plan& plan);
 
 }  // namespace waywright

@@ -42,6 +42,25 @@ struct Optimality {
   double gap() const { return lower_bound > 0.0 ? cost / lower_bound - 1.0 : 0.0; }  ///< the answer is at most this share above the optimum
 };
 
+/// One leg of a mission: its share of the plan, and what was proven of it.
+struct LegResult {
+  std::string name;  ///< as given
+  std::string load;  ///< carried on it; empty: none
+  std::string planner;
+  Parameters parameters;
+  Status status = Status::no_path;
+  std::string reason;
+  Pose start{}, end{};      ///< of the vehicle
+  bool has_path = false;    ///< else there are no figures
+  std::size_t pieces = 0;   ///< of the plan's path, in order; 0 where the plan has none
+  std::size_t samples = 0;
+  Effort effort;
+  Metrics metrics;
+  Certificate certificate;
+  std::string tightest_obstacle;
+  std::vector<Sample> driven;  ///< where the mission came no further than a later leg: this one's path, for the picture
+};
+
 struct Plan {
   std::string version;
   Status status = Status::no_path;
@@ -61,6 +80,7 @@ struct Plan {
   std::vector<std::string> explanation;
   std::vector<Alternative> alternatives;
   std::optional<Optimality> optimality;
+  std::vector<LegResult> legs;  ///< of a mission in legs, as far as it came; else none
 };
 
 }  // namespace waywright

@@ -3,28 +3,34 @@
 
 #include "waywright/judge/claims.hpp"
 #include "waywright/judge/judge.hpp"
+#include "waywright/judge/legs.hpp"
 #include "waywright/judge/zone_speeds.hpp"
 
 namespace waywright {
 
 Parsed<Verification> verify(const Plan& plan) {
+  if (!plan.scenario.legs.empty()) return verify_legs(plan);
   auto problem = Problem::prepare(plan.scenario);
   if (!problem) {
     InputError error = problem.error();
     error.field = "scenario." + error.field;
     return tl::unexpected{error};
   }
+  return verify(*problem, plan);
+}
+
+Verification verify(const Problem& problem, const Plan& plan) {
   Verification verification;
   if (plan.path.pieces.empty()) {
-    verification.fresh = failed_plan(*problem, {plan.status, plan.reason, {}, {}});
+    verification.fresh = failed_plan(problem, {plan.status, plan.reason, {}, {}});
     verification.findings.push_back(
         fmt::format("the plan holds no path to verify; its status is {}", to_string(plan.status)));
     return verification;
   }
-  verification.fresh = judge(*problem, plan.path);
+  verification.fresh = judge(problem, plan.path);
   const Plan& fresh = verification.fresh;
   std::vector<std::string>& findings = verification.findings;
-  if (auto ends = problem->check_ends()) findings.push_back(ends->reason);
+  if (auto ends = problem.check_ends()) findings.push_back(ends->reason);
   if (fresh.status != Status::solved) {
     findings.push_back(fresh.reason);
   } else if (plan.status != Status::solved) {
@@ -32,11 +38,11 @@ Parsed<Verification> verify(const Plan& plan) {
   }
   if (!fresh.samples.empty()) {
     std::vector<PoseSpeed> speeds;
-    if (problem->zones().limits_speed()) {
+    if (problem.zones().limits_speed()) {
       for (const Sample& s : plan.samples) speeds.push_back({s.pose(), s.speed});
     }
-    if (auto too_fast = check_zone_speeds(*problem, speeds)) findings.push_back(std::move(*too_fast));
-    check_claimed_samples(plan.samples, fresh.samples, problem->vehicle(), problem->footprint().radius(), fresh.certificate.tolerance, findings);
+    if (auto too_fast = check_zone_speeds(problem, speeds)) findings.push_back(std::move(*too_fast));
+    check_claimed_samples(plan.samples, fresh.samples, problem.vehicle(), problem.footprint().radius(), fresh.certificate.tolerance, findings);
     check_claimed_metrics(plan, fresh, findings);
   }
   check_claimed_certificate(plan.certificate, fresh.certificate, findings);

@@ -64,6 +64,9 @@ class World {
   bool is_solid(std::size_t source) const { return sources_[source].solid; }
   bool is_boundary(std::size_t source) const { return sources_[source].boundary; }
 
+  /// Of the map's i-th grid.
+  std::size_t grid_source(std::size_t i) const { return grid_sources_[i]; }
+
   /// "obstacle 3", "scan point 17", "shelf", "boundary", "warehouse.yaml (occupied cell)"; for messages.
   std::string source_name(std::size_t source) const;
 

@@ -89,12 +89,19 @@ Parsed<Parameters> complete_parameters(const PlannerDescription& planner, const 
 
 Parsed<void> check_mission(const std::string& planner, const Scenario& scenario) {
   const PlannerDescription* description = find_planner(planner);
-  if (description == nullptr || scenario.waypoints.empty() || description->passes_waypoints) return {};
-  std::string able;
-  for (const PlannerDescription& p : planners()) {
-    if (p.passes_waypoints) able += (able.empty() ? "" : ", ") + p.name;
+  if (description == nullptr) return {};
+  const auto refuse = [&](const char* what, bool PlannerDescription::*can) {
+    std::string able;
+    for (const PlannerDescription& p : planners()) {
+      if (p.*can) able += (able.empty() ? "" : ", ") + p.name;
+    }
+    return tl::unexpected{InputError{"", "planner.name", fmt::format("{} {}", planner, what), able}};
+  };
+  if (!scenario.waypoints.empty() && !description->passes_waypoints) return refuse("does not plan through waypoints", &PlannerDescription::passes_waypoints);
+  if (std::holds_alternative<FreeGoal>(scenario.mission) && !description->takes_free_goals) {
+    return refuse("plans to a goal pose, and this goal leaves the heading free", &PlannerDescription::takes_free_goals);
   }
-  return tl::unexpected{InputError{"", "planner.name", fmt::format("{} does not plan through waypoints", planner), able}};
+  return {};
 }
 
 Parsed<void> check_budget(const std::string& planner, const Parameters& complete, const BudgetLimits& budget) {

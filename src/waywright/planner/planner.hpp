@@ -109,6 +109,7 @@ struct PlannerDescription {
   std::function<bool(const Parameters&)> counts_samples = {};
   bool goes_on_in_motion = false;  ///< it can begin where the vehicle moves; others begin where it has stopped
   bool passes_waypoints = false;   ///< of a mission; others are refused such a mission
+  bool takes_free_goals = false;   ///< goals that leave the heading free; likewise
   bool counts_expansions = false;  ///< it keeps a budget of them
   /// Does it, with these parameters, weigh preferred and penalty zones, and keep to directed ones by itself? Empty: no. (Forbidden ones are obstacles to all, and every path is judged.)
   std::function<bool(const Parameters&)> heeds_zones = {};

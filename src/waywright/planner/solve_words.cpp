@@ -39,6 +39,11 @@ void explain_mission(const Problem& problem, const Plan& plan, std::vector<std::
   if (problem.is_driven_back()) {
     text.insert(text.begin(), "The way out was planned as the way of docking from the last pose, and is driven back.");
   }
+  if (problem.free_goal() != nullptr && !plan.path.pieces.empty()) {
+    const Pose end = end_pose(plan.path);
+    text.push_back(fmt::format("The goal leaves the heading free{}: the vehicle ends at ({:.3f}, {:.3f}) with {:.4f} rad, as its last drive has it.",
+                               problem.free_goal()->is_point() ? "" : ", and the place within its region", end.x, end.y, end.heading));
+  }
   if (!scenario.carried_load.empty()) {
     text.push_back(fmt::format("The load \"{}\" is carried all the way and belongs to the footprint{}.", scenario.carried_load,
                                problem.pocket() ? "; only between the docked pose and the forks' place in the shelf it may overlap the shelf" : ""));

@@ -182,7 +182,13 @@ std::vector<Violation> check_continuity(const Problem& problem, const Path& path
       compare(start_pose(path.pieces[i + 1]), end_pose(path.pieces[i]), [i] { return fmt::format("the path jumps after piece {}", i); });
     }
   }
-  compare(end_pose(path), problem.last_pose(), [] { return "the path misses the goal pose"; });
+  if (problem.free_goal() == nullptr) {
+    compare(end_pose(path), problem.last_pose(), [] { return "the path misses the goal pose"; });
+  } else if (const Pose end = end_pose(path); !problem.is_goal(end, options.position_tolerance, options.heading_tolerance)) {
+    const std::vector<Vec2>& area = problem.free_goal()->area;
+    const Vec2 nearest = area.size() == 1 ? area.front() : nearest_in(area, end.position());
+    violations.push_back({fmt::format("the path ends at ({:.6f}, {:.6f}), {:.6f} m from the goal", end.x, end.y, distance(end.position(), nearest)), end});
+  }
   return violations;
 }
 

@@ -86,6 +86,12 @@ std::string chart_svg(const Chart& chart, double width, double height) {
     out += fmt::format("<line class=\"axis\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n",
                        fixed(x_of(at)), fixed(top), fixed(top + plot_height));
   }
+  for (const ChartLimit& border : chart.borders) {
+    const double x = x_of(border.value);
+    if (border.value > 0.0)
+      out += fmt::format("<line class=\"axis\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n", fixed(x), fixed(top), fixed(top + plot_height));
+    out += fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">{}</text>\n", fixed(x + 4.0), fixed(top + 13.0), escaped(border.name));
+  }
   const double s_step = round_step(end, plot_width / 80.0);
   for (double s = 0.0; s <= end * (1.0 + 1e-9); s += s_step) {
     out += fmt::format(

@@ -25,6 +25,7 @@ struct Chart {
   std::vector<int> direction;      ///< per sample, for the bands
   std::vector<ChartLimit> limits;  ///< dashed lines, named to the right of the plot
   std::vector<double> stops;       ///< s of marks across the plot
+  std::vector<ChartLimit> borders{};  ///< s at which a part begins, with its name at the plot's upper edge
   std::vector<ChartSeries> series;
 };
 

@@ -32,12 +32,18 @@ Chart chart_of(std::string title, const Plan& plan, const auto& value) {
     chart.value.push_back(value(i));
   }
   for (const std::size_t i : steering_stops(plan)) chart.stops.push_back(plan.samples[i].s);
+  constexpr std::size_t most_named = 30;  // more would stand on each other
+  const std::vector<std::size_t> borders = leg_borders(plan);
+  if (!borders.empty() && borders.size() < most_named) {
+    chart.borders.push_back({0.0, "1"});
+    for (std::size_t i = 0; i < borders.size(); ++i) chart.borders.push_back({plan.samples[borders[i]].s, fmt::format("{}", i + 2)});
+  }
   return chart;
 }
 
-Chart clearance_chart(const Problem& problem, const Plan& plan) {
-  const std::vector<double> clearance = clearances_along(problem, plan.path, plan.samples);
-  const double required = problem.required_clearance();
+Chart clearance_chart(const Plan& plan, const ClearanceAsked& asked) {
+  const std::vector<double>& clearance = asked.along;
+  const double required = asked.required;
   // What is near matters: metres of room would press the requirement and the last approach into the axis.
   const double top = top_of(least_top, required);
   const bool over = *std::max_element(clearance.begin(), clearance.end()) >= top;
@@ -58,6 +64,11 @@ std::string with_styles(std::string svg) {
 
 std::string charts_html(const Problem& problem, const Plan& plan) {
   if (plan.samples.size() < 2) return {};
+  return charts_html(plan, {clearances_along(problem, plan.path, plan.samples), problem.required_clearance(), problem.pose_error_margin()});
+}
+
+std::string charts_html(const Plan& plan, const ClearanceAsked& asked) {
+  if (plan.samples.size() < 2) return {};
   const Vehicle& vehicle = plan.scenario.vehicle;
   const auto& samples = plan.samples;
   std::vector<Chart> charts;
@@ -73,7 +84,7 @@ std::string charts_html(const Problem& problem, const Plan& plan) {
     const double most = degrees * tricycle->max_steering;
     charts.back().limits = {{most, "limit"}, {-most, "limit"}};
   }
-  charts.push_back(clearance_chart(problem, plan));
+  charts.push_back(clearance_chart(plan, asked));
   charts.push_back(chart_of("Speed in m/s", plan, [&](std::size_t i) { return samples[i].speed; }));
   const Limits& limits = vehicle.limits;
   const bool alike = limits.speed == limits.reverse_speed;
@@ -84,12 +95,10 @@ std::string charts_html(const Problem& problem, const Plan& plan) {
       "<p class=\"soft\">Orange ground: backwards, blue ground: forwards. Dotted line: change of "
       "direction{}.{}</p>\n",
       steering_stops(plan).empty() ? "" : ", solid line: stop where the curvature jumps",
-      problem.required_clearance() > 0.0
-          ? fmt::format(" Required: {} m of clearance{}.", fixed(problem.required_clearance(), 4),
-                        problem.pose_error_margin() > 0.0 ? fmt::format(", {} m of it for the pose error",
-                                                                        fixed(problem.pose_error_margin(), 4))
-                                                          : "")
-          : "");
+      (plan.legs.size() > 1 ? std::string{" Solid lines with numbers: where a leg begins."} : std::string{}) +
+          (asked.required > 0.0
+               ? fmt::format(" Required: {} m of clearance{}.", fixed(asked.required, 4), asked.margin > 0.0 ? fmt::format(", {} m of it for the pose error", fixed(asked.margin, 4)) : "")
+               : ""));
   for (const Chart& chart : charts) {
     out += "<div class=\"broad\">" + chart_svg(chart, broad, height) + "</div><div class=\"narrow\">" +
            chart_svg(chart, narrow, height) + "</div>\n";

@@ -14,6 +14,15 @@ namespace waywright {
 /// the one that fits; what the colours mean. Empty where there is no path.
 std::string charts_html(const Problem& problem, const Plan& plan);
 
+/// What is asked of a path's clearance, and what it has at its samples. m
+struct ClearanceAsked {
+  std::vector<double> along;
+  double required = 0.0;
+  double margin = 0.0;  ///< of `required`, for the pose error
+};
+/// The same of any plan, for which these are known.
+std::string charts_html(const Plan& plan, const ClearanceAsked& asked);
+
 /// A picture of the clearance along several plans of one problem, each with its name; cut off where it no longer matters.
 std::string clearances_svg(const Problem& problem, const std::vector<std::pair<std::string, const Plan*>>& plans, double width);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "waywright/report/charts.hpp"
+#include "waywright/report/page.hpp"
 #include "waywright/report/scene.hpp"
 #include "waywright/report/svg_writer.hpp"
 #include "waywright/report/tables.hpp"
@@ -13,7 +14,6 @@
 namespace waywright {
 namespace {
 
-constexpr double picture_width = 860.0;  // px
 constexpr std::size_t most_repairs = 6;  // told at the top; all of them stand in the scenario's table
 
 constexpr std::string_view styles_of_pages = R"(
@@ -52,7 +52,9 @@ std::string top(const Plan& plan) {
   return out;
 }
 
-std::string proven(const Plan& plan) {
+}  // namespace
+
+std::string proof_html(const Plan& plan) {
   const Certificate& c = plan.certificate;
   if (!(c.checked_length > 0.0)) return {};
   if (!c.collision_free)
@@ -76,6 +78,8 @@ std::string proven(const Plan& plan) {
       c.checked_length, nearer, 1000.0 * c.tolerance);
 }
 
+namespace {
+
 std::string side(const Problem& problem, const Plan& plan) {
   std::string out;
   if (const auto sentences = explanation_once(plan, true); !sentences.empty()) {
@@ -84,7 +88,7 @@ std::string side(const Problem& problem, const Plan& plan) {
     out += "</ul>\n";
   }
   if (plan.samples.empty()) return out + alternatives_table(plan);
-  return out + "<h2>Figures</h2>\n" + metric_table(problem, plan) + proven(plan);
+  return out + "<h2>Figures</h2>\n" + metric_table(problem, plan) + proof_html(plan);
 }
 
 }  // namespace
@@ -96,18 +100,20 @@ std::string plan_svg(const Problem& problem, const Plan& plan) {
 }
 
 std::string report_html(const Problem& problem, const Plan& plan) {
+  return page_html(plan, {scene_html(problem, plan, picture_width), charts_html(problem, plan), side(problem, plan), plan.samples.empty() ? "" : alternatives_table(plan),
+                          scenario_table(problem, plan)});
+}
+
+std::string page_html(const Plan& plan, const PageParts& parts) {
   std::string out = fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width\">"
       "<title>{}</title>\n<style>{}</style></head>\n<body>\n",
       escaped(plan.scenario.name.empty() ? "Plan" : plan.scenario.name), styles_of_pages);
-  out +=
-      top(plan) + "<div class=\"columns\"><div class=\"wide\">\n" + scene_html(problem, plan, picture_width);
-  if (const std::string along = charts_html(problem, plan); !along.empty())
-    out += "<h2>Along the path</h2>\n" + along;
-  out += "</div><div>\n" + side(problem, plan) + "</div></div>\n";
-  if (!plan.samples.empty()) out += alternatives_table(plan);
-  out += "<h2>Scenario</h2>\n" + scenario_table(problem, plan);
+  out += top(plan) + "<div class=\"columns\"><div class=\"wide\">\n" + parts.picture;
+  if (!parts.charts.empty()) out += "<h2>Along the path</h2>\n" + parts.charts;
+  out += "</div><div>\n" + parts.side + "</div></div>\n" + parts.below;
+  out += "<h2>Scenario</h2>\n" + parts.scenario;
   out += fmt::format(
       "<p class=\"soft\">waywright {}</p>\n<p class=\"soft\" id=\"timing\">load {:.1f} ms, prepare {:.1f} "
       "ms, plan {:.1f} ms, prove {:.1f} ms</p>\n</body>\n</html>\n",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "waywright/judge/plan.hpp"
+#include "waywright/report/scene.hpp"
 #include "waywright/scenario/problem.hpp"
 
 namespace waywright {
@@ -16,6 +17,11 @@ std::string plan_svg(const Problem& problem, const Plan& plan);
 
 /// report.html: one self-contained file.
 std::string report_html(const Problem& problem, const Plan& plan);
+
+/// The same of a mission in legs, whose problems are made here. @pre plan.scenario has legs
+std::string plan_svg(const Plan& plan);
+std::string report_html(const Plan& plan);
+SmallPicture small_picture(const Plan& plan);
 
 /// The styles of all pages: columns, tables, verdicts, light and dark.
 std::string_view page_styles();

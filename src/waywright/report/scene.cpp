@@ -30,45 +30,6 @@ Vec2 calm_point(const std::vector<Vec2>& curve, const std::vector<Vec2>& busy) {
   return best;
 }
 
-struct Label {
-  std::string text;
-  std::string style_class;
-  std::string below = {};  ///< a second, smaller line; may be empty
-};
-
-/// Writes beside a point, on the side that `away` points to (pixels), moved into the map where it would be
-/// cut off.
-void label_beside(SvgWriter& svg, const Canvas& canvas, Vec2 point, Vec2 away, const Label& label) {
-  const double length = norm(away);
-  const Vec2 d = length > 0.0 ? (1.0 / length) * away : Vec2{0.0, 1.0};
-  const double letter = label.style_class == "note" ? 6.4 : 9.0;  // px, about
-  const double needed = std::max(letter * static_cast<double>(label.text.size()),
-                                 6.9 * static_cast<double>(label.below.size()));
-  const Vec2 at = canvas.view(point);
-  const double x = at.x + 12.0 * d.x - (d.x < -0.3 ? needed : d.x < 0.3 ? 0.5 * needed : 0.0);
-  double y = at.y + 16.0 * d.y + 5.0;
-  if (!label.below.empty() && d.y < -0.3) y -= 14.0;  // the second line stays above the point too
-  double kept = std::clamp(x, left_gutter + 4.0, std::max(left_gutter + 4.0, canvas.width - needed - 4.0));
-  // Moved along, it would stand on what it names.
-  if (std::abs(kept - x) > 0.3 * needed) y += d.y < 0.0 ? -26.0 : 14.0;
-  y = std::clamp(y, 16.0, canvas.height - bottom_gutter - 6.0);
-  // On a narrow page letters are larger: near the right edge they grow to the left.
-  const bool from_right = kept + 2.6 * needed > canvas.width;
-  if (from_right) kept += needed;
-  const std::string anchor = from_right ? " end" : "";
-  svg.label(point, Vec2{kept, y} - at, label.text, label.style_class + anchor);
-  if (label.below.empty()) return;
-  svg.raw(fmt::format("<text class=\"{} note{}\" x=\"{}\" y=\"{}\" dy=\"1.2em\">{}</text>\n",
-                      label.style_class, anchor, fixed(kept), fixed(y), escaped(label.below)));
-}
-
-/// The footprint's point nearest to an obstacle's.
-Vec2 point_on(const Footprint& footprint, const Pose& pose, Vec2 obstacle) {
-  if (!footprint.is_disc()) return nearest_in(outline_at(footprint, pose), obstacle);
-  const Vec2 d = obstacle - pose.position();
-  return norm(d) > 0.0 ? pose.position() + std::min(1.0, footprint.disc / norm(d)) * d : pose.position();
-}
-
 class Scene {
  public:
   Scene(const Problem& problem, const Plan& plan, const Canvas& canvas) : problem_{problem}, plan_{plan}, canvas_{canvas}, svg_{canvas_.view} {}
@@ -85,7 +46,7 @@ class Scene {
     draw_stops();
     draw_waypoints(svg_, problem_.scenario());
     draw_vehicle(svg_, problem_.footprint(), problem_.first_pose(), "S");
-    draw_vehicle(svg_, problem_.footprint(), problem_.last_pose(), end_name());
+    draw_goal(svg_, problem_, plan_, end_name());
     draw_blocked();
     draw_tightest();
     svg_.close_group();
@@ -101,7 +62,7 @@ class Scene {
     draw_sweep(svg_, problem_.footprint(), plan_.samples);
     draw_path(svg_, plan_.samples);
     draw_vehicle(svg_, problem_.footprint(), problem_.first_pose(), "S");
-    draw_vehicle(svg_, problem_.footprint(), problem_.last_pose(), end_name());
+    draw_goal(svg_, problem_, plan_, end_name());
     draw_blocked();
     const Certificate& c = plan_.certificate;
     if (!plan_.samples.empty() && c.tightest && !is_beyond_measure(c)) svg_.dot(c.tightest_point, 4.0, "tightdot");
@@ -136,6 +97,7 @@ class Scene {
       entries.push_back({"area", Shape::line, "station"});
     }
     for (LegendEntry& entry : zone_legend(problem_.scenario().zones)) entries.push_back(std::move(entry));
+    if (const FreeGoal* free = problem_.free_goal(); free != nullptr && !free->is_point()) entries.push_back({"region", Shape::box, "region of the goal"});
     if (zones_) entries.push_back({"zone", Shape::box, "where the change of direction was searched"});
     if (others_)
       entries.push_back(
@@ -229,20 +191,8 @@ class Scene {
     const Certificate& c = plan_.certificate;
     if (plan_.samples.empty() || !c.tightest || is_beyond_measure(c)) return;
     tight_ = true;
-    const Vec2 on = point_on(problem_.footprint(), *c.tightest, c.tightest_point);
-    const double gap = distance(on, c.tightest_point);
     blocked_ = !c.collision_free;
-    svg_.polygon(outline_at(problem_.footprint(), *c.tightest), blocked_ ? "hit" : "ghost");
-    svg_.line(on, c.tightest_point, "tight");
-    svg_.dot(c.tightest_point, blocked_ ? 4.5 : 3.5, "tightdot");
-    // Straight beside the vehicle the name leans to the side of it on which the spot lies.
-    const Box body = bounding_box(outline_at(problem_.footprint(), *c.tightest));
-    const Vec2 from_middle = on - 0.5 * (body.low + body.high);
-    const Vec2 away{c.tightest_point.x - on.x, on.y - c.tightest_point.y - 1e-3 * from_middle.y};
-    const bool second_line = c.collision_free && problem_.pose_error_margin() > 0.0;
-    label_beside(svg_, canvas_, c.tightest_point, away,
-                 {c.collision_free && !second_line ? fmt::format("{:.1f} mm proven", 1000.0 * c.clearance) : gap > 0.0 ? fmt::format("{:.1f} mm", 1000.0 * gap) : "touches", "tighttext",
-                  second_line ? fmt::format("{:.1f} with pose error", 1000.0 * c.clearance) : ""});
+    draw_tightest_spot(svg_, canvas_, problem_.footprint(), c, problem_.pose_error_margin() > 0.0);
     if (const auto spot = c.collision_free ? tightest_off_straight(problem_, plan_) : std::nullopt) {
       off_straight_ = true;
       const Vec2 near = point_on(problem_.footprint(), spot->pose, spot->point);
@@ -283,12 +233,16 @@ std::string scene_svg(const Problem& problem, const Plan& plan, double width) {
 SmallPicture small_picture(const Problem& problem, const Plan& plan) {
   Scene scene{problem, plan, small_canvas(problem, plan)};
   scene.draw_small();
-  SmallPicture picture{{}, std::round(scene.canvas().width - left_gutter), std::round(scene.canvas().height - bottom_gutter)};
-  picture.svg = fmt::format(
+  return {framed_small(scene.svg().take(), scene.canvas(), problem.scenario().name), std::round(scene.canvas().width - left_gutter), std::round(scene.canvas().height - bottom_gutter)};
+}
+
+std::string framed_small(std::string body, const Canvas& canvas, std::string_view title) {
+  const double w = std::round(canvas.width - left_gutter);
+  const double h = std::round(canvas.height - bottom_gutter);
+  return fmt::format(
       "<svg class=\"ww\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{0} 0 {1} {2}\" width=\"{1}\" height=\"{2}\" role=\"img\">\n"
       "<title>{3}</title>\n<style>{4}</style>\n<rect class=\"paper\" x=\"{0}\" width=\"{1}\" height=\"{2}\"/>\n{5}</svg>\n",
-      fixed(left_gutter), fixed(picture.width), fixed(picture.height), escaped(problem.scenario().name), picture_styles(), scene.svg().take());
-  return picture;
+      fixed(left_gutter), fixed(w), fixed(h), escaped(title), picture_styles(), body);
 }
 
 std::string scene_html(const Problem& problem, const Plan& plan, double width) {
@@ -328,10 +282,12 @@ std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std:
   draw_zone_names(svg, scenario.zones, canvas.region);
   draw_waypoints(svg, scenario);
   draw_vehicle(svg, problem.footprint(), problem.first_pose(), "S");
-  draw_vehicle(svg, problem.footprint(), problem.last_pose(),
-               problem.is_driven_back()                            ? "E"
-               : std::holds_alternative<Station>(scenario.mission) ? "D"
-                                                                   : "G");
+  const char* end_name = problem.is_driven_back() ? "E" : std::holds_alternative<Station>(scenario.mission) ? "D" : "G";
+  // Where the heading is free, each of them ends as it likes.
+  for (const Plan* plan : all) {
+    draw_goal(svg, problem, *plan, end_name);
+    if (problem.free_goal() == nullptr) break;
+  }
   svg.close_group();
   draw_axes(svg, canvas);
   draw_scale(svg, canvas);

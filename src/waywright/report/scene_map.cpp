@@ -21,14 +21,15 @@ void add_ring(std::vector<Vec2>& points, const Ring& ring) { points.insert(point
 /// Of all that stands on a path: start, goal, and some of its poses.
 void add_ways(std::vector<Vec2>& points, const Problem& problem, const std::vector<const Plan*>& plans) {
   add_ring(points, outline_at(problem.footprint(), problem.first_pose()));
-  add_ring(points, outline_at(problem.footprint(), problem.last_pose()));
+  if (const FreeGoal* free = problem.free_goal()) add_ring(points, free->area);
+  else add_ring(points, outline_at(problem.footprint(), problem.last_pose()));
   for (const Plan* plan : plans) {
     for (std::size_t i = 0; i < plan->samples.size(); i += 10) add_ring(points, outline_at(problem.footprint(), plan->samples[i].pose()));
   }
 }
 
 /// What must be seen: start, goal, station, path; the map is cropped to it.
-Box region_of(const Problem& problem, const std::vector<const Plan*>& plans) {
+std::vector<Vec2> seen_of(const Problem& problem, const std::vector<const Plan*>& plans) {
   const Scenario& scenario = problem.scenario();
   std::vector<Vec2> points;
   add_ways(points, problem, plans);
@@ -36,12 +37,15 @@ Box region_of(const Problem& problem, const std::vector<const Plan*>& plans) {
     add_ring(points, station->area);
     add_ring(points, station->shelf.outline());
   }
-  Box box = bounding_box(points);
-  // A map that is not much larger is shown whole.
-  if (!scenario.map.boundaries.empty()) {
-    const Box whole = bounding_box(scenario.map.boundaries.front());
+  return points;
+}
+
+Box region_of(const Map& map, const std::vector<Vec2>& seen) {
+  Box box = bounding_box(seen);
+  if (!map.boundaries.empty()) {
+    const Box whole = bounding_box(map.boundaries.front());
     if (norm(whole.high - whole.low) < 3.0 * norm(box.high - box.low)) {
-      points = {box.low, box.high, whole.low, whole.high};
+      const std::vector<Vec2> points{box.low, box.high, whole.low, whole.high};
       box = bounding_box(points);
     }
   }
@@ -125,22 +129,30 @@ Canvas canvas_of(const Box& region, double scale) {
 }  // namespace
 
 Canvas canvas_for(const Problem& problem, const std::vector<const Plan*>& plans, double width) {
-  const Box region = region_of(problem, plans);
+  return canvas_for(problem.scenario().map, seen_of(problem, plans), width);
+}
+
+Canvas canvas_for(const Map& map, const std::vector<Vec2>& seen, double width) {
+  const Box region = region_of(map, seen);
   const Vec2 size = region.high - region.low;
   return canvas_of(region, std::min((width - left_gutter) / size.x, 1.1 * width / size.y));
 }
 
 Canvas small_canvas(const Problem& problem, const Plan& plan) {
+  std::vector<Vec2> points;
+  add_ways(points, problem, {&plan});
+  if (const auto* station = std::get_if<Station>(&problem.scenario().mission)) add_ring(points, station->shelf.outline());
+  for (const Spot& spot : blocked_spots(problem, plan)) add_ring(points, outline_at(problem.footprint(), spot.pose));
+  return small_canvas(points);
+}
+
+Canvas small_canvas(const std::vector<Vec2>& seen) {
   constexpr double usual = 210.0, most = 420.0;     // px, of a square one
   constexpr double usual_extent = 15.0;             // m, from where it grows
   constexpr double tallest = 2.0, widest = 6.0;     // height to width and width to height: what is thinner gets more of the map
   constexpr double flat = 2.0, least_height = 150.0, most_width = 900.0;  // from where on it is wide, and by how much; px
   constexpr double least_margin = 0.7, share = 0.06;  // m; of the longer side
-  std::vector<Vec2> points;
-  add_ways(points, problem, {&plan});
-  if (const auto* station = std::get_if<Station>(&problem.scenario().mission)) add_ring(points, station->shelf.outline());
-  for (const Spot& spot : blocked_spots(problem, plan)) add_ring(points, outline_at(problem.footprint(), spot.pose));
-  const Box box = bounding_box(points);
+  const Box box = bounding_box(seen);
   const Vec2 middle = 0.5 * (box.low + box.high), inner = box.high - box.low;
   const double margin_here = std::max(least_margin, share * std::max(inner.x, inner.y));
   Vec2 size = inner + 2.0 * Vec2{margin_here, margin_here};
@@ -171,21 +183,20 @@ void draw_map(SvgWriter& svg, const Map& map, const Box& region) {
   }
 }
 
+void draw_station(SvgWriter& svg, const Station& station) {
+  svg.polygon(station.area, "area");
+  const Ring shelf = station.shelf.outline();
+  svg.polygon(shelf, "shelf");
+  if (station.insertion) {
+    for (const auto& [right, left] : station.insertion->pockets)
+      svg.polygon(transformed(rectangle({-station.shelf.depth, right}, {0.0, left}), station.shelf.face()), "pocket");
+  }
+  svg.line(shelf[1], shelf[2], "face");
+}
+
 bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region, bool numbered) {
   draw_map(svg, scenario.map, region);
-  if (const auto* station = std::get_if<Station>(&scenario.mission)) {
-    svg.polygon(station->area, "area");
-    const Ring shelf = station->shelf.outline();
-    svg.polygon(shelf, "shelf");
-    if (station->insertion) {
-      for (const auto& [right, left] : station->insertion->pockets) {
-        svg.polygon(
-            transformed(rectangle({-station->shelf.depth, right}, {0.0, left}), station->shelf.face()),
-            "pocket");
-      }
-    }
-    svg.line(shelf[1], shelf[2], "face");
-  }
+  if (const auto* station = std::get_if<Station>(&scenario.mission)) draw_station(svg, *station);
   return numbered && draw_numbers(svg, scenario.map, region);
 }
 

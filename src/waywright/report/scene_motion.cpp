@@ -26,6 +26,15 @@ void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose, 
   svg.label(pose.position(), {6.0, -6.0}, name, "name");
 }
 
+void draw_goal(SvgWriter& svg, const Problem& problem, const Plan& plan, const char* name) {
+  const FreeGoal* free = problem.free_goal();
+  if (free == nullptr) return draw_vehicle(svg, problem.footprint(), problem.last_pose(), name);
+  if (free->is_point()) svg.dot(free->area.front(), 4.0, "waypoint");
+  else svg.polygon(free->area, "region");
+  if (!plan.samples.empty()) draw_vehicle(svg, problem.footprint(), plan.samples.back().pose(), name);
+  else svg.label(problem.goal().position(), {6.0, -6.0}, name, "name");
+}
+
 /// Runs of equal direction as polylines.
 void draw_path(SvgWriter& svg, const std::vector<Sample>& samples) {
   for (std::size_t i = 0; i < samples.size();) {

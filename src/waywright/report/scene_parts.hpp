@@ -20,10 +20,13 @@ struct Canvas {
   double width = 0.0, height = 0.0;  ///< px, gutters included
 };
 
-/// What must be seen (start, goal, station, paths) scaled to about `width` pixels.
+/// What must be seen, scaled to about `width` pixels; a map that is not much larger is shown whole.
+Canvas canvas_for(const Map& map, const std::vector<Vec2>& seen, double width);
+/// The same of start, goal, station and paths.
 Canvas canvas_for(const Problem& problem, const std::vector<const Plan*>& plans, double width);
 /// Of what is driven alone, with a margin: start, goal, path, shelf, and where it is blocked; no smaller than what fills some 200 px squared, and wide where it is.
 Canvas small_canvas(const Problem& problem, const Plan& plan);
+Canvas small_canvas(const std::vector<Vec2>& seen);
 
 /// The footprint's outline in the world; a disc as 36 corners.
 Ring outline_at(const Footprint& footprint, const Pose& pose);
@@ -32,11 +35,14 @@ void open_map(SvgWriter& svg, const Canvas& canvas);
 /// Map and station; obstacles and lines with the numbers by which sentences name them. Returns whether there
 /// are numbers.
 bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region, bool numbered = true);
+void draw_station(SvgWriter& svg, const Station& station);
 /// The map alone, without numbers; of it the cells alone.
 void draw_map(SvgWriter& svg, const Map& map, const Box& region);
 void draw_map_cells(SvgWriter& svg, const Map& map, const Box& region);
 /// Outline, heading and name.
 void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose, const char* name);
+/// The mission's last pose; a goal that leaves the heading free as it is, and the vehicle where the plan has it then.
+void draw_goal(SvgWriter& svg, const Problem& problem, const Plan& plan, const char* name);
 /// Runs of equal direction in its colour, with arrows.
 void draw_path(SvgWriter& svg, const std::vector<Sample>& samples);
 void draw_sweep(SvgWriter& svg, const Footprint& footprint, const std::vector<Sample>& samples);
@@ -53,6 +59,20 @@ OverlayStroke overlay_stroke(std::size_t i);
 std::string stroke_attributes(const OverlayStroke& stroke);
 /// The <svg> element about a picture.
 std::string framed(std::string body, double width, double height, std::string_view title);
+/// The same about a small picture, without its gutters.
+std::string framed_small(std::string body, const Canvas& canvas, std::string_view title);
+
+struct Label {
+  std::string text;
+  std::string style_class;
+  std::string below = {};  ///< a second, smaller line; may be empty
+};
+/// Writes beside a point, on the side that `away` points to (pixels), moved into the map where it would be cut off.
+void label_beside(SvgWriter& svg, const Canvas& canvas, Vec2 point, Vec2 away, const Label& label);
+/// The tightest spot of a certificate, with its clearance: of the footprint at its pose to the obstacle's point.
+void draw_tightest_spot(SvgWriter& svg, const Canvas& canvas, const Footprint& footprint, const Certificate& certificate, bool has_pose_error);
+/// The footprint's point nearest to an obstacle's.
+Vec2 point_on(const Footprint& footprint, const Pose& pose, Vec2 obstacle);
 
 /// Ticks with world coordinates along the left and lower edge.
 void draw_axes(SvgWriter& svg, const Canvas& canvas);

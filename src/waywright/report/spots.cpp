@@ -68,9 +68,21 @@ std::vector<Spot> blocked_spots(const Problem& problem, const Plan& plan) {
   return spots;
 }
 
+std::vector<std::size_t> leg_borders(const Plan& plan) {
+  std::vector<std::size_t> borders;
+  std::size_t first = 0;
+  for (const LegResult& leg : plan.legs) {
+    if (first > 0 && first < plan.samples.size()) borders.push_back(first);
+    first += leg.samples;
+  }
+  return borders;
+}
+
 std::vector<std::size_t> steering_stops(const Plan& plan) {
   std::vector<std::size_t> stops;
+  const std::vector<std::size_t> borders = leg_borders(plan);
   for (std::size_t i = 1; i + 1 < plan.samples.size(); ++i) {
+    if (std::binary_search(borders.begin(), borders.end(), i)) continue;
     const Sample& before = plan.samples[i - 1];
     const Sample& here = plan.samples[i];
     const bool stands = before.s == here.s && here.s > 0.0 && here.s < plan.samples.back().s &&

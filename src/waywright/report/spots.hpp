@@ -26,6 +26,9 @@ std::optional<Spot> tightest_off_straight(const Problem& problem, const Plan& pl
 /// cannot be, that end.
 std::vector<Spot> blocked_spots(const Problem& problem, const Plan& plan);
 
+/// Of a mission in legs: the samples with which a leg after the first begins.
+std::vector<std::size_t> leg_borders(const Plan& plan);
+
 /// Places between changes of direction where the curvature jumps and the vehicle stands still. Sample
 /// indices.
 std::vector<std::size_t> steering_stops(const Plan& plan);

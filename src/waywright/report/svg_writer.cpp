@@ -144,6 +144,9 @@ constexpr std::string_view rules = R"(
 .ww .waypoint{fill:var(--paper,#fff);stroke:var(--ink,#222);stroke-width:1.8}.ww .waypointring{fill:none;stroke:var(--ink,#222);stroke-width:.8;stroke-dasharray:3 3}
 .ww .tightdot{fill:var(--bad)}.ww .hit{fill:var(--bad);fill-opacity:.14;stroke:var(--bad);stroke-width:1.4}
 .ww .spot{fill:var(--paper);stroke:var(--bad);stroke-width:2}.ww .spotline{stroke:var(--bad);stroke-width:1.2;stroke-dasharray:4 3}
+.ww .load{fill:var(--back);fill-opacity:.13;stroke:var(--back);stroke-width:.9;stroke-dasharray:4 2}
+.ww .region{fill:var(--zone);fill-opacity:.14;stroke:var(--zone);stroke-width:1.6}
+.ww .badge{fill:var(--paper);stroke-width:3px}.ww .badgetext{font-size:12px;font-weight:700;text-anchor:middle}
 .ww .stop{fill:var(--paper);stroke:var(--ink);stroke-width:1.8}.ww .frame{fill:none;stroke:var(--grid);stroke-width:1}
 .ww .number{font-size:11px;font-weight:600;text-anchor:middle}
 .ww .tighttext{fill:var(--bad);font-size:15px;font-weight:700;paint-order:stroke;stroke:var(--paper);stroke-width:4px}

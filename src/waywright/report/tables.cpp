@@ -109,9 +109,7 @@ std::string parameter_words(const Parameters& parameters) {
   return text;
 }
 
-}  // namespace
-
-std::string metric_table(const Problem& problem, const Plan& plan) {
+std::vector<Row> metric_rows(const Plan& plan, const std::optional<Row>& off_straight) {
   const Metrics& m = plan.metrics;
   const Scenario& s = plan.scenario;
   const auto capped = [](double clearance) { return clearance >= clearance_cap; };
@@ -119,13 +117,7 @@ std::string metric_table(const Problem& problem, const Plan& plan) {
   if (plan.certificate.pocket_clearance)
     rows.push_back({"Forks to the pocket's sides",
                     fmt::format("{:.4f} m", *plan.certificate.pocket_clearance), "pose error taken off"});
-  if (const auto spot = tightest_off_straight(problem, plan)) {
-    rows.push_back({problem.is_driven_back() ? "Tightest after the first straight"
-                                             : "Tightest before the final straight",
-                    fmt::format("{:.3f} m", spot->clearance),
-                    fmt::format("at samples, from {} at ({:.2f}, {:.2f})", spot->against, spot->point.x,
-                                spot->point.y)});
-  }
+  if (off_straight) rows.push_back(*off_straight);
   rows.push_back({"Least clearance at samples",
                   capped(m.min_clearance) ? fmt::format("more than {:g} m", clearance_cap)
                                           : fmt::format("{:.4f} m", m.min_clearance),
@@ -146,24 +138,82 @@ std::string metric_table(const Problem& problem, const Plan& plan) {
   rows.push_back({"… as printed Σ|Δκ|/Δs", fmt::format("{:.2f} 1/m²", m.curvature_change_printed), ""});
   rows.push_back({"Turning", fmt::format("{:.3f} rad ({:.0f}°)", m.turning, m.turning * 180.0 / pi), ""});
   rows.push_back({"Collision risk", fmt::format("{:.3f} m", m.collision_risk), "∫ exp(−½(d/0.5 m)²) ds"});
-  return table(rows);
+  return rows;
 }
 
-std::string scenario_table(const Problem& problem, const Plan& plan) {
+/// @pre the mission is no station
+std::string goal_words(const Mission& mission) {
+  const auto* free = std::get_if<FreeGoal>(&mission);
+  if (free == nullptr) return pose_words(std::get<Pose>(mission));
+  if (free->is_point()) return fmt::format("({:.3f}, {:.3f}) with any heading", free->area.front().x, free->area.front().y);
+  const Box box = bounding_box(free->area);
+  return fmt::format("anywhere in a region of {} corners, x {:.3f} to {:.3f}, y {:.3f} to {:.3f} m, with any heading", free->area.size(), box.low.x, box.high.x, box.low.y, box.high.y);
+}
+
+std::string mission_words(const Leg& leg) {
+  const auto* station = std::get_if<Station>(&leg.mission);
+  if (station == nullptr) return "to " + goal_words(leg.mission);
+  const Shelf& shelf = station->shelf;
+  const std::string at = fmt::format("at the shelf at ({:.3f}, {:.3f}), slot {} m", shelf.center.x, shelf.center.y, fixed(shelf.slot, 3));
+  if (station->manoeuvre == Manoeuvre::undock) return fmt::format("out of the pose {}, to {}", at, pose_words(leg.exit));
+  return "to the pose " + at + (station->insertion ? ", forks in" : ", docked");
+}
+
+/// What stands in the scenario's table of every mission, below the mission.
+void append_shared_rows(const Plan& plan, std::vector<Row>& rows) {
   const Scenario& s = plan.scenario;
-  std::vector<Row> rows{
+  rows.push_back({"Clearance asked for", fmt::format("{} m", fixed(s.clearance, 4)), ""});
+  rows.push_back({"Pose error",
+                  fmt::format("{} m lateral, {} m longitudinal, {} rad ({:.2f}°) heading",
+                              fixed(s.pose_error.lateral, 4), fixed(s.pose_error.longitudinal, 4),
+                              fixed(s.pose_error.heading, 4), s.pose_error.heading * 180.0 / pi),
+                  ""});
+  if (plan.legs.empty()) rows.push_back({"Planner", plan.planner, parameter_words(plan.parameters)});
+  for (std::size_t i = 0; i < plan.legs.size(); ++i)
+    rows.push_back({fmt::format("Planner of leg {}", i + 1), plan.legs[i].planner, fmt::format("{}; {}", parameter_words(plan.legs[i].parameters), effort_words(plan.legs[i].effort))});
+  rows.push_back({"Work", fmt::format("{}, seed {}", effort_words(plan.effort), plan.seed),
+                  plan.reproducible ? "reproducible" : "cut short: another run may differ"});
+  std::string map = fmt::format("{} obstacles, {} lines, {} points", s.map.obstacles.size(),
+                                s.map.lines.size(), s.map.points.size());
+  for (const CellGrid& g : s.map.grids)
+    map += fmt::format(", {} ({} × {} cells of {} m)", g.name, g.columns, g.rows, fixed(g.cell, 4));
+  rows.push_back({"Map", map, ""});
+  if (s.map.alignment && !s.map.alignment->residuals.empty()) {
+    rows.push_back({"Alignment residuals", residual_words(*s.map.alignment), ""});
+  }
+  for (std::size_t i = 0; i < s.zones.size() && i < most_zone_rows; ++i) rows.push_back({i == 0 ? "Zones" : "", title_of(s.zones[i], i), zone_words(s.zones[i])});
+  if (s.zones.size() > most_zone_rows) rows.push_back({"", fmt::format("and {} more", s.zones.size() - most_zone_rows), ""});
+  for (const std::string& note : s.map.notes) rows.push_back({"Noted", note, ""});
+}
+
+std::vector<Row> first_rows(const Scenario& s) {
+  return {
       {"Vehicle", s.vehicle.name.empty() ? "(no name)" : s.vehicle.name, drive_words(s.vehicle)},
       {"Footprint", footprint_words(s.vehicle.footprint), ""},
       {"Start", pose_words(s.start), motion_words(s.start_motion)},
   };
+}
+
+}  // namespace
+
+std::string metric_table(const Problem& problem, const Plan& plan) {
+  const auto spot = tightest_off_straight(problem, plan);
+  if (!spot) return metric_table(plan);
+  return table(metric_rows(plan, Row{problem.is_driven_back() ? "Tightest after the first straight" : "Tightest before the final straight", fmt::format("{:.3f} m", spot->clearance),
+                                     fmt::format("at samples, from {} at ({:.2f}, {:.2f})", spot->against, spot->point.x, spot->point.y)}));
+}
+
+std::string metric_table(const Plan& plan) { return table(metric_rows(plan, std::nullopt)); }
+std::string scenario_table(const Problem& problem, const Plan& plan) {
+  const Scenario& s = plan.scenario;
+  std::vector<Row> rows = first_rows(s);
   if (const auto* station = std::get_if<Station>(&s.mission)) {
     const Pose& d = problem.goal();
     rows.push_back({"Docked pose", pose_words(d),
                     fmt::format("fork tips {} m before the face, slot {} m", fixed(station->shelf.gap, 3),
                                 fixed(station->shelf.slot, 3))});
   } else {
-    const Pose& g = std::get<Pose>(s.mission);
-    rows.push_back({"Goal", pose_words(g), ""});
+    rows.push_back({"Goal", goal_words(s.mission), ""});
   }
   if (!s.waypoints.empty()) {
     rows.push_back({"Waypoints", waypoint_words(s.waypoints),
@@ -184,27 +234,42 @@ std::string scenario_table(const Problem& problem, const Plan& plan) {
                                     : "",
                                 footprint_words(problem.footprint()))});
   }
-  rows.push_back({"Clearance asked for", fmt::format("{} m", fixed(s.clearance, 4)), ""});
-  rows.push_back({"Pose error",
-                  fmt::format("{} m lateral, {} m longitudinal, {} rad ({:.2f}°) heading",
-                              fixed(s.pose_error.lateral, 4), fixed(s.pose_error.longitudinal, 4),
-                              fixed(s.pose_error.heading, 4), s.pose_error.heading * 180.0 / pi),
-                  ""});
-  rows.push_back({"Planner", plan.planner, parameter_words(plan.parameters)});
-  rows.push_back({"Work", fmt::format("{}, seed {}", effort_words(plan.effort), plan.seed),
-                  plan.reproducible ? "reproducible" : "cut short: another run may differ"});
-  std::string map = fmt::format("{} obstacles, {} lines, {} points", s.map.obstacles.size(),
-                                s.map.lines.size(), s.map.points.size());
-  for (const CellGrid& g : s.map.grids)
-    map += fmt::format(", {} ({} × {} cells of {} m)", g.name, g.columns, g.rows, fixed(g.cell, 4));
-  rows.push_back({"Map", map, ""});
-  if (s.map.alignment && !s.map.alignment->residuals.empty()) {
-    rows.push_back({"Alignment residuals", residual_words(*s.map.alignment), ""});
-  }
-  for (std::size_t i = 0; i < s.zones.size() && i < most_zone_rows; ++i) rows.push_back({i == 0 ? "Zones" : "", title_of(s.zones[i], i), zone_words(s.zones[i])});
-  if (s.zones.size() > most_zone_rows) rows.push_back({"", fmt::format("and {} more", s.zones.size() - most_zone_rows), ""});
-  for (const std::string& note : s.map.notes) rows.push_back({"Noted", note, ""});
+  append_shared_rows(plan, rows);
   return table(rows);
+}
+
+std::string scenario_table(const Plan& plan) {
+  std::vector<Row> rows = first_rows(plan.scenario);
+  if (!plan.scenario.carried_load.empty()) rows.push_back({"Load at the beginning", plan.scenario.carried_load, ""});
+  for (std::size_t i = 0; i < plan.scenario.legs.size(); ++i) {
+    const Leg& leg = plan.scenario.legs[i];
+    std::string change;
+    if (leg.load) change = leg.load->empty() ? "; the load is left there" : fmt::format("; the load \"{}\" is taken there", *leg.load);
+    rows.push_back({fmt::format("Leg {}{}", i + 1, leg.name.empty() ? "" : ", " + leg.name), mission_words(leg) + change, leg.waypoints.empty() ? "" : "through " + waypoint_words(leg.waypoints)});
+  }
+  append_shared_rows(plan, rows);
+  return table(rows);
+}
+
+std::string legs_table(const Plan& plan) {
+  const Scenario& s = plan.scenario;
+  std::string out = "<h2>Legs</h2>\n<table><tr><th>leg</th><th>length</th><th>time</th><th>tightest</th><th>load</th><th>mass</th><th>planner</th></tr>\n";
+  for (std::size_t i = 0; i < plan.legs.size(); ++i) {
+    const LegResult& leg = plan.legs[i];
+    const auto load = s.vehicle.loads.find(leg.load);
+    const double mass = s.vehicle.mass + (load == s.vehicle.loads.end() ? 0.0 : load->second.mass);
+    std::string tightest = to_string(leg.status);
+    if (leg.has_path && leg.certificate.collision_free) {
+      tightest = clearance_words(leg.certificate);
+      if (!is_beyond_measure(leg.certificate))
+        tightest += fmt::format("<span class=\"soft\">{} at ({:.2f}, {:.2f})</span>", escaped(leg.tightest_obstacle), leg.certificate.tightest_point.x, leg.certificate.tightest_point.y);
+    }
+    out += fmt::format("<tr><th scope=\"row\">{}{}</th><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n", i + 1,
+                       leg.name.empty() ? "" : ". " + escaped(leg.name), leg.has_path ? fmt::format("{:.3f} m", leg.metrics.length) : "–",
+                       leg.has_path ? fmt::format("{:.1f} s", leg.metrics.travel_time) : "–", tightest, leg.load.empty() ? "–" : escaped(leg.load),
+                       mass > 0.0 ? fmt::format("{} kg", fixed(mass, 1)) : "–", escaped(leg.planner));
+  }
+  return out + "</table>\n<p class=\"soft\">Tightest: proven, pose error taken off. Mass: vehicle and load.</p>\n";
 }
 
 std::string alternatives_table(const Plan& plan) {

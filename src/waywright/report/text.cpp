@@ -17,7 +17,7 @@ std::string plan_text(const Plan& plan) {
   out += fmt::format("{}: {}\n", plan.scenario.name.empty() ? "plan" : plan.scenario.name,
                      to_string(plan.status));
   if (!plan.reason.empty()) out += "  " + reason_once(plan, false) + "\n";
-  row("planner", plan.planner);
+  if (plan.legs.empty()) row("planner", plan.planner);
   if (!plan.samples.empty()) {
     const Metrics& m = plan.metrics;
     const Certificate& c = plan.certificate;
@@ -39,6 +39,15 @@ std::string plan_text(const Plan& plan) {
     if (const std::size_t stops = steering_stops(plan).size(); stops > 0)
       row("stops at curv. jumps", fmt::format("{}", stops));
     row("travel time", fmt::format("{:.2f} s", m.travel_time));
+  }
+  for (std::size_t i = 0; i < plan.legs.size(); ++i) {
+    const LegResult& leg = plan.legs[i];
+    std::string text = to_string(leg.status);
+    if (leg.has_path) {
+      text = fmt::format("{:9.3f} m {:7.1f} s, {} clear", leg.metrics.length, leg.metrics.travel_time, leg.certificate.collision_free ? clearance_words(leg.certificate) : "not");
+      if (leg.status != Status::solved) text += fmt::format(", {}", to_string(leg.status));
+    }
+    row(fmt::format("leg {}", i + 1).c_str(), fmt::format("{}{}{}", text, leg.load.empty() ? "" : ", with " + leg.load, leg.name.empty() ? "" : ": " + leg.name));
   }
   row("effort", effort_words(plan.effort));
   row("time",

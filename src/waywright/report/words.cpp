@@ -104,7 +104,7 @@ std::vector<std::string> warnings(const Plan& plan) {
   return all;
 }
 
-bool is_cost_length(const Plan& plan, const Alternative& alternative) { return alternative.zone.size() < 3 && plan.scenario.waypoints.empty(); }
+bool is_cost_length(const Plan& plan, const Alternative& alternative) { return alternative.zone.size() < 3 && plan.scenario.waypoints.empty() && plan.legs.empty(); }
 
 std::string reason_once(const Plan& plan, bool beside_alternatives) {
   for (const Alternative& a : beside_alternatives ? plan.alternatives : std::vector<Alternative>{}) {

@@ -81,6 +81,13 @@ std::optional<InputError> check_station(const Scenario& scenario, const Station&
   return std::nullopt;
 }
 
+/// That stands for the goal.
+Pose pose_of(const Mission& mission) {
+  if (const auto* pose = std::get_if<Pose>(&mission)) return *pose;
+  const Box box = bounding_box(std::get<FreeGoal>(mission).area);
+  return make_pose(0.5 * (box.low + box.high), 0.0);
+}
+
 Failure end_failure(const World& world, const Contact& contact, const Pose& pose, bool start, double required) {
   Failure failure;
   failure.pose = pose;
@@ -183,6 +190,7 @@ Parsed<Problem> Problem::prepare(Scenario scenario, const World* of_map) {
   Problem problem;
   problem.scenario_ = std::move(scenario);
   const Scenario& given = problem.scenario_;
+  if (!given.legs.empty()) return tl::unexpected{refuse("legs", "a mission of several legs is not one problem", "one goal or station")};
   if (std::holds_alternative<Mecanum>(given.vehicle.drive)) {
     return tl::unexpected{InputError{"", "vehicle.drive.type", "\"mecanum\" is not supported yet: no planner here drives sideways", "tricycle, differential"}};
   }
@@ -193,7 +201,7 @@ Parsed<Problem> Problem::prepare(Scenario scenario, const World* of_map) {
   if (const auto* station = std::get_if<Station>(&given.mission)) {
     if (auto error = problem.set_station(*station)) return tl::unexpected{*error};
   } else {
-    problem.goal_ = std::get<Pose>(given.mission);
+    problem.goal_ = pose_of(given.mission);
   }
   for (std::size_t i = 0; i < given.zones.size(); ++i) {
     if (given.zones[i].type == ZoneType::forbidden) problem.world_.add_obstacle(given.zones[i].area, title_of(given.zones[i], i));
@@ -204,6 +212,15 @@ Parsed<Problem> Problem::prepare(Scenario scenario, const World* of_map) {
   problem.world_.build();
   problem.pose_error_margin_ = margin_of(given.pose_error, problem.footprint_.radius());
   return problem;
+}
+
+bool Problem::is_goal(const Pose& end, double position_tolerance, double heading_tolerance) const {
+  if (const FreeGoal* free = free_goal()) {
+    const Vec2 nearest = free->is_point() ? free->area.front() : contains(free->area, end.position()) ? end.position() : nearest_in(free->area, end.position());
+    return distance(nearest, end.position()) <= position_tolerance;
+  }
+  const Pose& last = last_pose();
+  return distance(last.position(), end.position()) <= position_tolerance && std::abs(shorter_turn(last.heading, end.heading)) <= heading_tolerance;
 }
 
 Piece Problem::pocket_stretch() const {
@@ -252,6 +269,7 @@ std::optional<Failure> Problem::check_motion() const {
 std::optional<Failure> Problem::check_ends() const {
   const double required = required_clearance();
   for (const bool is_start : {true, false}) {
+    if (!is_start && free_goal() != nullptr) break;  // whether one of many poses is free, the search finds
     const Pose& pose = is_start ? scenario_.start : goal();
     const Contact contact = world_.clearance(footprint_, pose, required + 1.0);
     if (contact.clearance == 0.0 || contact.clearance < required - 1e-9) {  // rounding of the distance itself

@@ -39,6 +39,11 @@ class Problem {
   /// is where it stands then; who can go on from its motion may begin at first_pose() instead.
   const Pose& start() const { return rest_; }
   const Pose& goal() const { return goal_; }
+  /// A goal that leaves the heading free; none otherwise. goal() stands for it then, at its point or in the middle of its region's box, heading 0:
+  /// good for estimates and pictures alone.
+  const FreeGoal* free_goal() const { return std::get_if<FreeGoal>(&scenario_.mission); }
+  /// Does a path that ends in this pose end as asked for, by so much?
+  bool is_goal(const Pose& end, double position_tolerance, double heading_tolerance) const;
 
   const std::optional<EntryMotion>& motion() const { return motion_; }
   /// @pre the vehicle moves

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -64,8 +65,14 @@ struct StartMotion {
   double curvature = 0.0;  ///< 1/m of its way, in the direction of travel, left positive; of one that stands: no matter, it can steer first
 };
 
-/// What is asked: reach a pose, or dock at a station's shelf. (Regions, legs: not supported yet.)
-using Mission = std::variant<Pose, Station>;
+/// The vehicle's origin ends there with any heading: at a point, or anywhere in a region.
+struct FreeGoal {
+  Ring area;  ///< one point, or a simple polygon
+  bool is_point() const { return area.size() == 1; }
+};
+
+/// What is asked: reach a pose, dock at a station's shelf, or reach a place with any heading.
+using Mission = std::variant<Pose, Station, FreeGoal>;
 
 using ParameterValue = std::variant<bool, double, std::string>;
 using Parameters = std::map<std::string, ParameterValue>;
@@ -73,6 +80,17 @@ using Parameters = std::map<std::string, ParameterValue>;
 struct PlannerChoice {
   std::string name = "pattern_docking";
   Parameters parameters;  ///< as given; checked against the planner's description
+};
+
+/// One part of a longer mission; what it does not say is the scenario's.
+struct Leg {
+  std::string name;  ///< free, for people
+  Mission mission;
+  Pose exit{};       ///< of the way out of a station (undock): where it ends
+  std::vector<Vec2> waypoints{};
+  double waypoint_radius = 0.0;         ///< m, ≥ 0
+  std::optional<std::string> load{};    ///< of the vehicle's loads, carried from the leg's end on; "": none from there on; absent: as before
+  std::optional<PlannerChoice> planner{};
 };
 
 struct Scenario {
@@ -84,9 +102,10 @@ struct Scenario {
   Pose start{};
   StartMotion start_motion;
   Mission mission;
+  std::vector<Leg> legs;         ///< where there are any, they take the place of mission and waypoints: see legs.hpp
   std::vector<Vec2> waypoints;   ///< to be passed in this order on the way to the pose; headings are free
   double waypoint_radius = 0.0;  ///< m, ≥ 0: as near to each of them the path has to pass
-  std::string carried_load;  ///< name of the vehicle's load that is carried all the way; empty: none
+  std::string carried_load;  ///< name of the vehicle's load that is carried all the way (of legs: at the beginning); empty: none
   double clearance = 0.0;  ///< m, ≥ 0, kept from everything by the whole footprint
   PoseError pose_error;
   std::vector<Zone> zones;

@@ -15,6 +15,7 @@
 #include "waywright/io/plan_io.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/planner/registry.hpp"
+#include "waywright/planner/solve_legs.hpp"
 #include "waywright/report/report.hpp"
 #include "waywright/report/scene.hpp"
 #include "waywright/report/spots.hpp"
@@ -31,7 +32,8 @@ constexpr std::uint64_t largest_kept = 1ULL << 30;  // bytes
 constexpr const char* record_name = "place.json";
 constexpr std::array<const char*, 4> kept_files{"plan.json", "plan.svg", "report.html", "small.svg"};
 
-PlaceFigures figures_of(const Place& place, const Problem& problem, const Plan& plan) {
+/// `problem`: none of a mission in legs, which has many.
+PlaceFigures figures_of(const Place& place, const Problem* problem, const Plan& plan) {
   PlaceFigures f;
   f.name = place.name;
   f.status = plan.status;
@@ -46,7 +48,8 @@ PlaceFigures figures_of(const Place& place, const Problem& problem, const Plan& 
   f.collision_free = c.collision_free;
   if (c.tightest && !is_beyond_measure(c)) f.tightest = TightSpot{c.collision_free ? c.clearance : 0.0, c.tightest_point, plan.tightest_obstacle};
   if (c.pocket_clearance && std::isfinite(*c.pocket_clearance)) f.pocket_clearance = std::max(0.0, *c.pocket_clearance);
-  if (const auto spot = c.collision_free ? tightest_off_straight(problem, plan) : std::nullopt) f.on_the_way = TightSpot{spot->clearance, spot->point, spot->against};
+  const auto spot = c.collision_free && problem != nullptr ? tightest_off_straight(*problem, plan) : std::nullopt;
+  if (spot) f.on_the_way = TightSpot{spot->clearance, spot->point, spot->against};
   f.length = plan.metrics.length;
   f.max_curvature = std::isfinite(plan.metrics.max_curvature) ? plan.metrics.max_curvature : std::numeric_limits<double>::max();
   if (const double limit = plan.scenario.vehicle.max_curvature(); std::isfinite(limit)) f.curvature_limit = limit;
@@ -74,14 +77,15 @@ std::optional<PlaceFigures> kept_result(const fs::path& folder, const std::strin
   return record->figures;
 }
 
-Parsed<void> write_result(const fs::path& folder, const std::string& key, const Problem& problem, const Plan& plan, PlaceFigures& figures) {
+Parsed<void> write_result(const fs::path& folder, const std::string& key, const Problem* problem, const Plan& plan, PlaceFigures& figures) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return tl::unexpected{InputError{folder.string(), "", "the folder cannot be made: " + error.message(), ""}};
-  SmallPicture small = small_picture(problem, plan);
+  SmallPicture small = problem ? small_picture(*problem, plan) : small_picture(plan);
   figures.picture_width = small.width;
   figures.picture_height = small.height;
-  const std::array<std::string, 4> contents{plan_json(plan), plan_svg(problem, plan), report_html(problem, plan), std::move(small.svg)};
+  const std::array<std::string, 4> contents{plan_json(plan), problem ? plan_svg(*problem, plan) : plan_svg(plan), problem ? report_html(*problem, plan) : report_html(plan),
+                                            std::move(small.svg)};
   PlaceRecord record{key, {}, figures};
   std::vector<NamedContent> files;
   for (std::size_t i = 0; i < kept_files.size(); ++i) {
@@ -110,15 +114,31 @@ Parsed<std::optional<Checked>> check_one(const Place& place, std::size_t index, 
   std::vector<std::string> notes = std::move(scenario.map.notes);
   scenario.map = place.map->map();
   scenario.map.notes = std::move(notes);
-  const auto problem = Problem::prepare(std::move(scenario), &place.map->world());
-  if (!problem) return of_place(problem.error());
-  const auto plan = solve(*problem, options.cancel);
+  std::optional<Problem> problem;
+  if (scenario.legs.empty()) {
+    auto prepared = Problem::prepare(std::move(scenario), &place.map->world());
+    if (!prepared) return of_place(prepared.error());
+    problem = std::move(*prepared);
+  }
+  const auto plan = problem ? solve(*problem, options.cancel) : solve_legs(scenario, options.cancel);
   if (!plan) return of_place(plan.error());
   const bool canceled = options.cancel != nullptr && options.cancel->load();
   if (plan->status == Status::canceled || (canceled && !plan->reproducible)) return std::optional<Checked>{};
-  Checked checked{index, false, figures_of(place, *problem, *plan)};
-  if (auto written = write_result(folder, key, *problem, *plan, checked.figures); !written) return tl::unexpected{written.error()};
+  const Problem* one = problem ? &*problem : nullptr;
+  Checked checked{index, false, figures_of(place, one, *plan)};
+  if (auto written = write_result(folder, key, one, *plan, checked.figures); !written) return tl::unexpected{written.error()};
   return checked;
+}
+
+/// Of the planner that the scenario names, or of its legs'.
+Parsed<void> complete_planners(Scenario& scenario) {
+  if (!scenario.legs.empty()) return complete_legs(scenario);
+  auto parameters = complete_parameters(scenario.planner);
+  if (!parameters) return tl::unexpected{parameters.error()};
+  if (auto takes = check_mission(scenario.planner.name, scenario); !takes) return takes;
+  if (auto kept = check_budget(scenario.planner.name, *parameters, scenario.budget); !kept) return kept;
+  scenario.planner.parameters = std::move(*parameters);
+  return {};
 }
 
 /// A thread has nobody above it to catch anything.
@@ -178,11 +198,7 @@ Parsed<void> complete_places(std::vector<Place>& places) {
       error.file = place.origin;
       return tl::unexpected{std::move(error)};
     };
-    auto parameters = complete_parameters(place.scenario.planner);
-    if (!parameters) return refuse(parameters.error());
-    if (auto takes = check_mission(place.scenario.planner.name, place.scenario); !takes) return refuse(takes.error());
-    if (auto kept = check_budget(place.scenario.planner.name, *parameters, place.scenario.budget); !kept) return refuse(kept.error());
-    place.scenario.planner.parameters = std::move(*parameters);
+    if (auto complete = complete_planners(place.scenario); !complete) return refuse(complete.error());
     place.folder = folder_name(place.name);
     if (place.folder == "check.csv" || place.folder == "check.html") {
       return refuse({"", "name", fmt::format("\"{}\" is a file of the check itself", place.name), "another name"});
@@ -193,6 +209,7 @@ Parsed<void> complete_places(std::vector<Place>& places) {
                      "names that differ in letters, digits, '-', '_' or '.' within their first 80 bytes"});
     }
     // Without the map it costs nothing, and what it refuses is not found when half of the site is done.
+    if (!place.scenario.legs.empty()) continue;  // complete_planners has looked at them
     if (const auto problem = Problem::prepare(place.scenario); !problem) return refuse(problem.error());
   }
   return {};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "waywright/planner/grid/free_goal.hpp"
+
 namespace waywright {
 namespace {
 
@@ -51,6 +53,22 @@ class Connector {
     if (const Cell c = cell_of(frame, base.position()); is_middle(frame, c, base.position())) return turn_at(c, base.heading, before, cost);
     for (int k = 1; k <= widest && found_.empty(); ++k) {
       for (const Cell c : around(frame, base.position(), k)) drive_to(c, base, before, cost);
+    }
+  }
+  /// From a place where it stands with any heading.
+  void from_anywhere_facing(Vec2 at) {
+    const GridFrame& frame = space_.frame();
+    if (!is_near(frame, at)) return;
+    if (const Cell c = cell_of(frame, at); is_middle(frame, c, at)) {
+      for (int h = 0; h < space_.headings(); ++h) found_.push_back({{c, h}, 0.0, {}});
+      return;
+    }
+    for (int k = 1; k <= widest && found_.empty(); ++k) {
+      for (const Cell c : around(frame, at, k)) {
+        const double course = angle_of(frame.centre(c) - at);
+        drive_to(c, make_pose(at, course), {}, 0.0);
+        drive_to(c, make_pose(at, wrap(course + pi)), {}, 0.0);
+      }
     }
   }
   std::vector<HeadingConnection>& found() { return found_; }
@@ -137,6 +155,23 @@ std::vector<DiscConnection> disc_connections(const Problem& problem, const GridF
     }
   }
   return found;
+}
+
+std::vector<HeadingConnection> free_connections(const Problem& problem, const HeadingSpace& space, MotionCheck& test) {
+  if (!problem.free_goal()->is_point()) {
+    std::vector<HeadingConnection> found;
+    for (const Cell c : region_cells(problem, space.frame())) {
+      for (int h = 0; h < space.headings(); ++h) found.push_back({{c, h}, 0.0, {}});
+    }
+    return found;
+  }
+  const Vec2 at = problem.goal().position();
+  Connector connector{space, connecting_margin(problem), false, test};
+  connector.from_anywhere_facing(at);
+  // Of the two ways to face along a drive, one has nothing to turn before it; the other is a turn by half a circle that nobody needs.
+  std::erase_if(connector.found(), [](const HeadingConnection& c) { return !c.actions.empty() && std::abs(c.actions.front().angle) > same_place; });
+  for (HeadingConnection& c : connector.found()) turn_round(c, at);
+  return std::move(connector.found());
 }
 
 std::vector<HeadingConnection> heading_connections(const Problem& problem, const HeadingSpace& space, const Pose& pose, bool is_start, MotionCheck& test) {

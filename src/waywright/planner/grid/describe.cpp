@@ -53,6 +53,7 @@ PlannerDescription theta_star_description() {
                        }};
   d.counts_expansions = true;
   d.heeds_zones = [](const Parameters&) { return true; };
+  d.takes_free_goals = true;
   return d;
 }
 
@@ -68,6 +69,7 @@ std::vector<PlannerDescription> grid_planner_descriptions() {
                          parameters(has_heuristic), [name = std::string{name}](const Parameters& p, std::uint64_t) -> AnyPlanner { return GridPlanner{name, options_of(p)}; }};
     d.counts_expansions = true;
     d.heeds_zones = [](const Parameters&) { return true; };
+    d.takes_free_goals = true;
     all.push_back(std::move(d));
   }
   all.push_back(theta_star_description());

@@ -97,7 +97,7 @@ CellBounds::CellBounds(const Problem& problem, const GridFrame& frame) : cell_{f
     occupied_.resize(cells);
     std::transform(grid.blocked.begin(), grid.blocked.end(), occupied_.begin(), [](std::uint8_t b) { return b != 0 ? 1 : 0; });
     is_cells_alone_ = map.boundaries.empty() && map.obstacles.empty() && map.lines.empty() && map.points.empty() && map.grids.size() == 1 &&
-                      std::holds_alternative<Pose>(problem.scenario().mission) && !has_forbidden_zone(problem.scenario());
+                      !std::holds_alternative<Station>(problem.scenario().mission) && !has_forbidden_zone(problem.scenario());
   } else {
     occupied_.assign(cells, 0);
   }
@@ -124,9 +124,8 @@ double CellBounds::at_most(Cell c) const {
 
 /// Every cell that an edge touches, row by row.
 void CellBounds::mark_segments(const Problem& problem, const GridFrame& frame) {
-  const Map& map = problem.scenario().map;
-  // A World numbers its sources in this order; the native grid's cells are marked already.
-  const std::size_t own = map.boundaries.size() + map.obstacles.size() + map.lines.size() + map.points.size() + frame.native;
+  // The native grid's cells are marked already.
+  const std::size_t own = frame.is_native ? problem.world().grid_source(frame.native) : World::nothing;
   for (const Segment& s : problem.world().index().segments()) {
     if (frame.is_native && s.source == own) continue;
     Vec2 a = frame.in_cells(s.a), b = frame.in_cells(s.b);

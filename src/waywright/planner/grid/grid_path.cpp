@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "waywright/planner/grid/free_goal.hpp"
+
 namespace waywright {
 namespace {
 
@@ -44,6 +46,15 @@ Path path_of(const Pose& start, const std::vector<Action>& actions, const Pose& 
   }
   builder.drive(goal.position(), 1);
   builder.face(goal.heading);
+  return builder.take();
+}
+
+Path path_along(const Pose& start, const std::vector<Action>& actions) {
+  Builder builder{start};
+  for (const Action& a : actions) {
+    if (a.kind == Action::Kind::turn) builder.turn(a.angle);
+    else builder.drive(a.to, a.direction);
+  }
   return builder.take();
 }
 

@@ -8,6 +8,7 @@
 
 #include "waywright/planner/grid/connection.hpp"
 #include "waywright/planner/grid/disc_graph.hpp"
+#include "waywright/planner/grid/free_goal.hpp"
 #include "waywright/planner/grid/grid_path.hpp"
 #include "waywright/planner/grid/grid_words.hpp"
 #include "waywright/planner/grid/search_pool.hpp"
@@ -64,7 +65,8 @@ class GridPlanner::Ready {
     if (!refused_.empty()) return tl::unexpected{failure(Status::no_path, refused_)};
     if (budget.exhausted()) return tl::unexpected{nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, 0, budget, 0.0, "")};
     budget.count_evaluations();
-    if (problem_.start() == problem_.goal()) return tl::unexpected{failure(Status::no_path, "start and goal are the same pose, there is nothing to drive")};
+    if (problem_.free_goal() != nullptr && problem_.is_goal(problem_.start(), 0.0, 0.0)) return tl::unexpected{failure(Status::no_path, "the start is at the goal already, there is nothing to drive")};
+    if (problem_.free_goal() == nullptr && problem_.start() == problem_.goal()) return tl::unexpected{failure(Status::no_path, "start and goal are the same pose, there is nothing to drive")};
     MotionCheck test{problem_, footprint_};
     if (auto direct = direct_way(test)) return explained(std::move(*direct), options, 0, std::nullopt);
     return headings_ ? plan_headings(options, budget, test) : plan_disc(options, budget, test);
@@ -76,7 +78,8 @@ class GridPlanner::Ready {
     const Pose& start = problem_.start();
     const Pose& goal = problem_.goal();
     const double margin = connecting_margin(problem_), way = distance(start.position(), goal.position());
-    if (way > 2.0 * frame_.cell) return std::nullopt;
+    const FreeGoal* free = problem_.free_goal();
+    if (way > 2.0 * frame_.cell || (free != nullptr && !free->is_point())) return std::nullopt;
     if (way == 0.0) {
       const double turn = shorter_turn(start.heading, goal.heading);
       for (const double angle : {turn, turn > 0.0 ? turn - two_pi : turn + two_pi}) {
@@ -87,15 +90,16 @@ class GridPlanner::Ready {
     if (!is_plain_line(problem_.zones(), start.position(), goal.position())) return std::nullopt;
     const double course = angle_of(goal.position() - start.position());
     const double first = shorter_turn(start.heading, course), last = shorter_turn(course, goal.heading);
-    if (!test.is_turn_free(start.position(), start.heading, first, margin) || !test.is_drive_free(start.position(), goal.position(), course, margin) ||
-        !test.is_turn_free(goal.position(), course, last, margin)) {
-      return std::nullopt;
-    }
+    if (!test.is_turn_free(start.position(), start.heading, first, margin) || !test.is_drive_free(start.position(), goal.position(), course, margin)) return std::nullopt;
+    if (free != nullptr) return path_along(start, {{Action::Kind::turn, first, {}, 1}, {Action::Kind::drive, 0.0, goal.position(), 1}});
+    if (!test.is_turn_free(goal.position(), course, last, margin)) return std::nullopt;
     return path_of(start, {{Action::Kind::turn, first, {}, 1}, {Action::Kind::drive, 0.0, goal.position(), 1}, {Action::Kind::turn, last, {}, 1}}, goal);
   }
 
   PlanningFailure not_connected(bool is_start) const {
     const Pose& pose = is_start ? problem_.start() : problem_.goal();
+    if (const FreeGoal* free = problem_.free_goal(); !is_start && free != nullptr && !free->is_point())
+      return failure(Status::no_path, fmt::format("no cell of {:g} m has its middle in the goal's region; try a finer resolution", frame_.cell), pose);
     return failure(Status::no_path,
                    fmt::format("{} the {} at {} no straight drive {} the middle of a cell of {:g} m around it; try a finer resolution", is_start ? "from" : "to", is_start ? "start" : "goal",
                                place(pose.position()), is_start ? "leads to" : "leads from", frame_.cell),
@@ -105,11 +109,15 @@ class GridPlanner::Ready {
   PlanningResult plan_disc(const GridPlannerOptions& options, Budget& budget, MotionCheck& test) const {
     const Pose& start = problem_.start();
     const Pose& goal = problem_.goal();
-    const auto from = disc_connections(problem_, frame_, start.position(), true, test), to = disc_connections(problem_, frame_, goal.position(), false, test);
-    if (from.empty() || to.empty()) return tl::unexpected{not_connected(from.empty())};
+    const auto from = disc_connections(problem_, frame_, start.position(), true, test);
     GridQuery query;
     for (const DiscConnection& c : from) query.starts.push_back({c.cell, c.cost / frame_.cell});
-    for (const DiscConnection& c : to) query.goals.push_back({c.cell, c.cost / frame_.cell});
+    if (problem_.free_goal() != nullptr) {
+      query.goals = free_ends(problem_, frame_, test);
+    } else {
+      for (const DiscConnection& c : disc_connections(problem_, frame_, goal.position(), false, test)) query.goals.push_back({c.cell, c.cost / frame_.cell});
+    }
+    if (query.starts.empty() || query.goals.empty()) return tl::unexpected{not_connected(query.starts.empty())};
     query.heuristic = options.heuristic;
     query.expansions = budget.limits().expansions;
     query.budget = &budget;
@@ -129,15 +137,18 @@ class GridPlanner::Ready {
     if (options.any_angle) return plan_any_angle(options, query, answer, budget);
     std::vector<Action> actions{{Action::Kind::drive, 0.0, frame_.centre(answer.cells.front()), 1}};
     for (const Action& a : drives_along(frame_, answer.cells)) actions.push_back(a);
-    return explained(path_of(start, actions, goal), options, answer.expansions, answer.cost * frame_.cell);
+    return explained(to_goal(actions), options, answer.expansions, answer.cost * frame_.cell);
   }
 
   /// Lazy Theta*, and the grid's way pulled taut: the shorter of the two, so never longer than what `astar` finds.
   PlanningResult plan_any_angle(const GridPlannerOptions& options, const GridQuery& query, const GridAnswer& on_grid, Budget& budget) const {
     const Pose& start = problem_.start();
-    const Pose& goal = problem_.goal();
+    // Of a region: the cell of it that is nearest over the cells.
+    const bool is_region = problem_.free_goal() != nullptr && !problem_.free_goal()->is_point();
+    const Vec2 goal = is_region ? frame_.centre(on_grid.cells.back()) : problem_.goal().position();
+    const std::vector<GridEnd> goals = is_region ? std::vector<GridEnd>{{on_grid.cells.back(), 0.0}} : query.goals;
     const Sight sight{problem_, frame_, *bounds_, footprint_.disc};
-    ThetaQuery any{start.position(), goal.position(), query.starts, query.goals, lattice_margin(problem_), connecting_margin(problem_), {}, &budget, query.is_free, zones()};
+    ThetaQuery any{start.position(), goal, query.starts, goals, lattice_margin(problem_), connecting_margin(problem_), {}, &budget, query.is_free, zones()};
     if (query.expansions) any.expansions = *query.expansions - on_grid.expansions;
     auto search = any_angles_.lend();
     const ThetaAnswer answer = (*search).run(graph_, frame_, sight, any);
@@ -147,7 +158,7 @@ class GridPlanner::Ready {
     }
     std::vector<Vec2> cells{start.position()};
     for (const Cell c : on_grid.cells) cells.push_back(frame_.centre(c));
-    cells.push_back(goal.position());
+    if (!is_region) cells.push_back(goal);
     const auto metres = [&](const std::vector<Vec2>& points) { return zones() != nullptr ? cost_of(points, *zones()) : length_of(points); };
     const double of_grid = metres(cells);
     const auto taut = [&](std::vector<Vec2> points) { return pulled_taut(std::move(points), sight, any.margin, any.end_margin, zones()); };
@@ -155,7 +166,7 @@ class GridPlanner::Ready {
     const std::vector<Vec2>& points = metres(from_theta) <= metres(from_grid) ? from_theta : from_grid;
     std::vector<Action> actions;
     for (std::size_t i = 1; i < points.size(); ++i) actions.push_back({Action::Kind::drive, 0.0, points[i], 1});
-    Planned planned = explained(path_of(start, actions, goal), options, budget.expansions(), of_grid);
+    Planned planned = explained(to_goal(actions), options, budget.expansions(), of_grid);
     planned.explanation.front() =
         fmt::format("A way at any angle over {} x {} cells of {:g} m{}: {:.3f} m with lazy Theta*, {:.3f} m where the {} way over the cells, {:.3f} m, is pulled taut; the {} is taken. "
                     "{} in both searches.",
@@ -169,7 +180,7 @@ class GridPlanner::Ready {
 
   PlanningResult plan_headings(const GridPlannerOptions& options, Budget& budget, MotionCheck& test) const {
     const auto from = heading_connections(problem_, *headings_, problem_.start(), true, test);
-    const auto to = heading_connections(problem_, *headings_, problem_.goal(), false, test);
+    const auto to = problem_.free_goal() != nullptr ? free_connections(problem_, *headings_, test) : heading_connections(problem_, *headings_, problem_.goal(), false, test);
     if (from.empty() || to.empty()) return tl::unexpected{not_connected(from.empty())};
     std::vector<HeadingEnd> starts, goals;
     for (const HeadingConnection& c : from) starts.push_back({c.state, c.cost});
@@ -190,12 +201,20 @@ class GridPlanner::Ready {
     std::vector<Action> actions = of(from, answer.first);
     for (const Action& a : actions_along(*headings_, answer)) actions.push_back(a);
     for (const Action& a : of(to, answer.last)) actions.push_back(a);
-    return explained(path_of(problem_.start(), actions, problem_.goal()), options, answer.expansions, answer.cost);
+    return explained(to_goal(actions), options, answer.expansions, answer.cost);
+  }
+
+  /// Into the goal's pose, or where its heading is free, to it.
+  Path to_goal(std::vector<Action> actions) const {
+    const FreeGoal* free = problem_.free_goal();
+    if (free == nullptr) return path_of(problem_.start(), actions, problem_.goal());
+    if (free->is_point()) actions.push_back({Action::Kind::drive, 0.0, problem_.goal().position(), 1});  // of a footprint with a shape it is there already
+    return path_along(problem_.start(), actions);
   }
 
   Planned explained(Path path, const GridPlannerOptions& options, std::int64_t expansions, std::optional<double> cost) const {
     Planned planned;
-    const double metres = length(path), straight = distance(problem_.start().position(), problem_.goal().position());
+    const double metres = length(path), straight = least_way(problem_);
     const Turning turning = turning_of(path);
     std::vector<std::string>& text = planned.explanation;
     if (cost) {

@@ -9,6 +9,7 @@
 
 #include "waywright/planner/grid/connection.hpp"
 #include "waywright/planner/grid/disc_graph.hpp"
+#include "waywright/planner/grid/free_goal.hpp"
 #include "waywright/planner/grid/grid_path.hpp"
 #include "waywright/planner/grid/grid_words.hpp"
 #include "waywright/planner/grid/search_pool.hpp"
@@ -83,9 +84,13 @@ class SafePlanner::Ready {
     budget.count_evaluations();
     const Pose& start = problem_.start();
     const Pose& goal = problem_.goal();
-    if (start == goal) return tl::unexpected{failure(Status::no_path, "start and goal are the same pose, there is nothing to drive")};
+    const FreeGoal* free = problem_.free_goal();
+    const bool is_region = free != nullptr && !free->is_point();
+    if (is_region && ways_) return tl::unexpected{failure(Status::no_path, "the published form searches to one cell, not to a region; take form corrected")};
+    if (free != nullptr && problem_.is_goal(start, 0.0, 0.0)) return tl::unexpected{failure(Status::no_path, "the start is at the goal already, there is nothing to drive")};
+    if (free == nullptr && start == goal) return tl::unexpected{failure(Status::no_path, "start and goal are the same pose, there is nothing to drive")};
     MotionCheck test{problem_, disc_};
-    if (distance(start.position(), goal.position()) <= 2.0 * frame_.cell && may_be_straight(start.position(), goal.position()) && test.is_drive_free(start.position(), goal.position(), 0.0, connecting_margin(problem_))) {
+    if (!is_region && distance(start.position(), goal.position()) <= 2.0 * frame_.cell && may_be_straight(start.position(), goal.position()) && test.is_drive_free(start.position(), goal.position(), 0.0, connecting_margin(problem_))) {
       return explained({}, fmt::format("Start and goal are within two cells of {:g} m: the way is straight, without a search.", frame_.cell));
     }
     if (ways_) return plan_published(budget);
@@ -138,6 +143,8 @@ class SafePlanner::Ready {
 
   PlanningFailure not_connected(bool is_start) const {
     const Pose& pose = is_start ? problem_.start() : problem_.goal();
+    if (const FreeGoal* free = problem_.free_goal(); !is_start && free != nullptr && !free->is_point())
+      return failure(Status::no_path, fmt::format("no cell of {:g} m has its middle in the goal's region; try a finer resolution", frame_.cell), pose);
     const std::string of_what = problem_.footprint().is_disc() ? "" : fmt::format(" for the disc of {:.3f} m around the footprint, which is what is searched (astar asks the footprint itself)", disc_.disc);
     return failure(Status::no_path,
                    fmt::format("{} the {} at {} no straight drive {} the middle of a cell of {:g} m around it{}; try a finer resolution", is_start ? "from" : "to", is_start ? "start" : "goal",
@@ -187,7 +194,7 @@ class SafePlanner::Ready {
   }
 
   PlanningResult plan_danger(Budget& budget, MotionCheck& test, const std::string& why) const {
-    const auto from = ends_at(problem_.start(), true, test), to = ends_at(problem_.goal(), false, test);
+    const auto from = ends_at(problem_.start(), true, test), to = problem_.free_goal() != nullptr ? free_ends(problem_, frame_, test) : ends_at(problem_.goal(), false, test);
     if (from.empty() || to.empty()) return tl::unexpected{not_connected(from.empty())};
     const GridAnswer answer = searched(from, to, budget, test);
     if (answer.ended != SearchEnd::found) return tl::unexpected{not_found(answer, budget)};
@@ -272,13 +279,20 @@ class SafePlanner::Ready {
     return planned;
   }
 
+  Path to_goal(std::vector<Action> actions) const {
+    const FreeGoal* free = problem_.free_goal();
+    if (free == nullptr) return path_of(problem_.start(), actions, problem_.goal());
+    if (free->is_point()) actions.push_back(drive(problem_.goal().position()));
+    return path_along(problem_.start(), actions);
+  }
+
   Planned explained(const std::vector<Action>& actions, std::string how) const {
     Planned planned;
-    planned.path = path_of(problem_.start(), actions, problem_.goal());
+    planned.path = to_goal(actions);
     const Turning turning = turning_of(planned.path);
     planned.explanation.push_back(std::move(how));
     planned.explanation.push_back(fmt::format("It is {:.3f} m long, the straight line from start to goal {:.3f} m, less than which no way can be; it turns on the spot {}, {:.1f}° in all.",
-                                              length(planned.path), distance(problem_.start().position(), problem_.goal().position()),
+                                              length(planned.path), least_way(problem_),
                                               turning.turns == 1 ? std::string{"once"} : fmt::format("{} times", turning.turns), turning.angle * 180.0 / pi));
     if (!problem_.footprint().is_disc()) {
       planned.explanation.push_back(fmt::format("It was searched for the disc around the footprint, {:.3f} m, which can turn wherever it can stand; astar finds narrower ways.", disc_.disc));

@@ -151,7 +151,9 @@ struct Memory {
 ///   bucket_width()                     a power of two.
 /// `before_expansion(n)` is asked every 1024 expansions, with how many there were, and may end the search.
 template <class Space, class Queue, class Stop>
-Outcome search(Space& space, Memory<Queue>& memory, const std::vector<Terminal>& starts, const std::vector<Terminal>& targets, std::int64_t most_expansions, Stop&& stop) {
+Outcome search(Space& space, Memory<Queue>& memory, const std::vector<Terminal>& starts, std::vector<Terminal> targets, std::int64_t most_expansions, Stop&& stop) {
+  const auto before = [](const Terminal& a, const Terminal& b) { return a.state < b.state; };
+  std::sort(targets.begin(), targets.end(), before);  // a region has many
   memory.begin(space.size());
   Visit* const visits = memory.visits.data();
   const std::uint16_t generation = memory.generation;
@@ -184,9 +186,8 @@ Outcome search(Space& space, Memory<Queue>& memory, const std::vector<Terminal>&
   while (queue.pop(best, at)) {
     if (visits[space.index(at.state)].cost != at.cost) continue;
     if (space.may_be_target(at.state)) {
-      for (const Terminal& t : targets) {
-        if (t.state != at.state) continue;
-        const std::uint64_t whole = static_cast<std::uint64_t>(at.cost) + t.cost;
+      for (auto t = std::lower_bound(targets.begin(), targets.end(), Terminal{at.state, 0}, before); t != targets.end() && t->state == at.state; ++t) {
+        const std::uint64_t whole = static_cast<std::uint64_t>(at.cost) + t->cost;
         if (whole < best) {
           best = whole;
           outcome.target = at.state;

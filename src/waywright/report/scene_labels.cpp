@@ -1,0 +1,58 @@
+// What is written in the picture beside what it names.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "waywright/geometry/polygon.hpp"
+#include "waywright/report/scene_parts.hpp"
+
+namespace waywright {
+
+void label_beside(SvgWriter& svg, const Canvas& canvas, Vec2 point, Vec2 away, const Label& label) {
+  const double length = norm(away);
+  const Vec2 d = length > 0.0 ? (1.0 / length) * away : Vec2{0.0, 1.0};
+  const double letter = label.style_class == "note" ? 6.4 : 9.0;  // px, about
+  const double needed = std::max(letter * static_cast<double>(label.text.size()),
+                                 6.9 * static_cast<double>(label.below.size()));
+  const Vec2 at = canvas.view(point);
+  const double x = at.x + 12.0 * d.x - (d.x < -0.3 ? needed : d.x < 0.3 ? 0.5 * needed : 0.0);
+  double y = at.y + 16.0 * d.y + 5.0;
+  if (!label.below.empty() && d.y < -0.3) y -= 14.0;  // the second line stays above the point too
+  double kept = std::clamp(x, left_gutter + 4.0, std::max(left_gutter + 4.0, canvas.width - needed - 4.0));
+  // Moved along, it would stand on what it names.
+  if (std::abs(kept - x) > 0.3 * needed) y += d.y < 0.0 ? -26.0 : 14.0;
+  y = std::clamp(y, 16.0, canvas.height - bottom_gutter - 6.0);
+  // On a narrow page letters are larger: near the right edge they grow to the left.
+  const bool from_right = kept + 2.6 * needed > canvas.width;
+  if (from_right) kept += needed;
+  const std::string anchor = from_right ? " end" : "";
+  svg.label(point, Vec2{kept, y} - at, label.text, label.style_class + anchor);
+  if (label.below.empty()) return;
+  svg.raw(fmt::format("<text class=\"{} note{}\" x=\"{}\" y=\"{}\" dy=\"1.2em\">{}</text>\n",
+                      label.style_class, anchor, fixed(kept), fixed(y), escaped(label.below)));
+}
+
+Vec2 point_on(const Footprint& footprint, const Pose& pose, Vec2 obstacle) {
+  if (!footprint.is_disc()) return nearest_in(outline_at(footprint, pose), obstacle);
+  const Vec2 d = obstacle - pose.position();
+  return norm(d) > 0.0 ? pose.position() + std::min(1.0, footprint.disc / norm(d)) * d : pose.position();
+}
+
+void draw_tightest_spot(SvgWriter& svg, const Canvas& canvas, const Footprint& footprint, const Certificate& c, bool has_pose_error) {
+  const Vec2 on = point_on(footprint, *c.tightest, c.tightest_point);
+  const double gap = distance(on, c.tightest_point);
+  svg.polygon(outline_at(footprint, *c.tightest), c.collision_free ? "ghost" : "hit");
+  svg.line(on, c.tightest_point, "tight");
+  svg.dot(c.tightest_point, c.collision_free ? 3.5 : 4.5, "tightdot");
+  // Straight beside the vehicle the name leans to the side of it on which the spot lies.
+  const Box body = bounding_box(outline_at(footprint, *c.tightest));
+  const Vec2 from_middle = on - 0.5 * (body.low + body.high);
+  const Vec2 away{c.tightest_point.x - on.x, on.y - c.tightest_point.y - 1e-3 * from_middle.y};
+  const bool second_line = c.collision_free && has_pose_error;
+  label_beside(svg, canvas, c.tightest_point, away,
+               {c.collision_free && !second_line ? fmt::format("{:.1f} mm proven", 1000.0 * c.clearance) : gap > 0.0 ? fmt::format("{:.1f} mm", 1000.0 * gap) : "touches", "tighttext",
+                second_line ? fmt::format("{:.1f} with pose error", 1000.0 * c.clearance) : ""});
+}
+
+}  // namespace waywright
