@@ -31,6 +31,7 @@ struct Alternative {
   std::string outcome;         ///< one sentence
   std::vector<Pose> poses;     ///< best path found, for the picture; may be empty
   Ring zone;                   ///< transition zone, for the picture; may be empty
+  bool is_length = false;      ///< its cost is the path's length, m
   bool was_driven = false;     ///< not tried, but what a plan that was being driven had left
 };
 

@@ -159,8 +159,8 @@ class Scene {
       svg_.polyline(points, "alt");
       const std::string text = a.was_driven ? a.name
                                : !a.cost    ? a.name + ": no way"
-                               : is_cost_length(plan_, a) ? fmt::format("{}: {:.2f} m", a.name, *a.cost)
-                                                          : fmt::format("{}: cost {:.3f}", a.name, *a.cost);
+                               : a.is_length ? fmt::format("{}: {:.2f} m", a.name, *a.cost)
+                                            : fmt::format("{}: cost {:.3f}", a.name, *a.cost);
       const Vec2 at = calm_point(points, busy);
       label_beside(svg_, canvas_, at, {1.0, 0.0}, {text, "note"});
       busy.push_back(at);

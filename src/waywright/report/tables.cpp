@@ -276,13 +276,13 @@ std::string alternatives_table(const Plan& plan) {
   if (plan.alternatives.empty()) return {};
   const bool any = std::any_of(plan.alternatives.begin(), plan.alternatives.end(),
                                [](const Alternative& a) { return a.cost.has_value(); });
-  const bool is_length = std::all_of(plan.alternatives.begin(), plan.alternatives.end(), [&](const Alternative& a) { return is_cost_length(plan, a); });
+  const bool is_length = std::all_of(plan.alternatives.begin(), plan.alternatives.end(), [](const Alternative& a) { return a.is_length || !a.cost; });
   std::string out =
       fmt::format("<h2>What was tried</h2>\n<table><tr><th>alternative</th>{}<th>outcome</th></tr>\n",
                   any ? is_length ? "<th>length</th>" : "<th>cost</th>" : "");
   for (const Alternative& a : plan.alternatives) {
     const std::string cost = !a.cost                   ? "–"
-                             : is_cost_length(plan, a) ? fmt::format("{:.2f} m", *a.cost)
+                             : a.is_length             ? fmt::format("{:.2f} m", *a.cost)
                                                        : fmt::format("{:.4f}", *a.cost);
     out += fmt::format("<tr{}><th scope=\"row\">{}{}</th>{}<td>{}</td></tr>\n",
                        a.chosen ? " class=\"chosen\"" : "", escaped(a.name), a.chosen ? " (taken)" : "",

@@ -104,8 +104,6 @@ std::vector<std::string> warnings(const Plan& plan) {
   return all;
 }
 
-bool is_cost_length(const Plan& plan, const Alternative& alternative) { return alternative.zone.size() < 3 && plan.scenario.waypoints.empty() && plan.legs.empty(); }
-
 std::string reason_once(const Plan& plan, bool beside_alternatives) {
   for (const Alternative& a : beside_alternatives ? plan.alternatives : std::vector<Alternative>{}) {
     // "…; the second choice found none either: WHY" ends before the why that stands in the table.

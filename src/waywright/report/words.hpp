@@ -32,9 +32,6 @@ std::optional<std::string> alignment_warning(const Scenario& scenario);
 /// "0.012, 0.008 m", empty where the map was not aligned by points.
 std::string residual_words(const Alignment& alignment);
 
-/// Is what an alternative costs its length in metres? Beside a shelf and through waypoints it is what the planner minimises.
-bool is_cost_length(const Plan& plan, const Alternative& alternative);
-
 /// The reason without what the explanation or, beside them, the alternatives say in the same words; empty where they say
 /// all of it.
 std::string reason_once(const Plan& plan, bool beside_alternatives);

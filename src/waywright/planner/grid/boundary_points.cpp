@@ -134,7 +134,7 @@ BoundaryAnswer boundary_points(const BoundaryTask& task) {
     return answer;
   }
   const auto joined = joining_cell(task, at);
-  if (!joined) return none("no cell near the last corner sees the goal");
+  if (!joined) return none(std::string{answer.corners.empty() ? "no cell near the start" : "no cell near the last corner"} + " sees the goal with the distance that straight parts keep");
   answer.kind = BoundaryAnswer::Kind::joined;
   answer.last = *joined;
   return answer;

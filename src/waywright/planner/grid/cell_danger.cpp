@@ -19,18 +19,23 @@ double danger_of(double d, const DangerRule& rule) {
 CellDanger::CellDanger(int columns, int rows, double cell, const std::vector<std::uint8_t>& occupied, const DangerRule& rule)
     : columns_{columns}, rows_{rows}, reach_{rule.reach / cell}, occupied_{occupied} {
   field_.assign(columns, rows, occupied_, false);
-  // An odd side, so that the cell that asks is in the middle of a block.
-  while (reach_ > most_blocks_out * block_) block_ += 2;
-  const int out = static_cast<int>(std::floor(reach_ / block_)) + 1;
+  // Powers of three: the middle of a block is a cell, and the block in the middle falls into nine of the next smaller size.
+  int block = 1;
+  while (reach_ > most_blocks_out * block) block *= 3;
+  const auto add = [&](int c, int r, int side) {
+    const double d = std::sqrt(static_cast<double>(r * r + c * c)) * side;
+    if ((c != 0 || r != 0) && d <= reach_ * (1.0 + 1e-12)) parts_.push_back({c * side - side / 2, r * side - side / 2, side, danger_of(d * cell, rule) * cell * cell});
+  };
+  const int out = static_cast<int>(std::floor(reach_ / block)) + 1;
   for (int r = -out; r <= out; ++r) {
-    for (int c = -out; c <= out; ++c) {
-      if (r == 0 && c == 0) continue;
-      const double d = std::sqrt(static_cast<double>(r * r + c * c)) * block_;
-      if (d > reach_ * (1.0 + 1e-12)) continue;
-      parts_.push_back({c * block_ - block_ / 2, r * block_ - block_ / 2, danger_of(d * cell, rule) * cell * cell});
+    for (int c = -out; c <= out; ++c) add(c, r, block);
+  }
+  for (int side = block / 3; side >= 1; side /= 3) {
+    for (int r = -1; r <= 1; ++r) {
+      for (int c = -1; c <= 1; ++c) add(c, r, side);
     }
   }
-  if (block_ == 1) return;
+  if (block == 1) return;
   const std::size_t width = static_cast<std::size_t>(columns) + 1;
   sums_.assign(width * (static_cast<std::size_t>(rows) + 1), 0);
   for (std::size_t r = 0; r < static_cast<std::size_t>(rows); ++r) {
@@ -54,7 +59,7 @@ double CellDanger::at(Cell c) const {
   const double squared = field_.squared(c.column, c.row);
   if (squared > reach_ * reach_ * (1.0 + 1e-12)) return 0.0;
   double sum = 0.0;
-  for (const Part& p : parts_) sum += p.weight * static_cast<double>(count(c.column + p.column, c.row + p.row, block_));
+  for (const Part& p : parts_) sum += p.weight * static_cast<double>(count(c.column + p.column, c.row + p.row, p.side));
   return sum;
 }
 

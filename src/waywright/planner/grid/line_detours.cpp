@@ -56,4 +56,25 @@ std::vector<Detour> detours_of(const CellMap& cells, Vec2 start, Vec2 goal, doub
   return detours;
 }
 
+std::optional<std::size_t> widened(std::vector<Detour>& detours, std::size_t i, double whole) {
+  const auto take_away = [&](std::size_t k) { detours.erase(detours.begin() + static_cast<std::ptrdiff_t>(k)); };
+  if (i + 1 < detours.size()) {
+    detours[i].end = detours[i + 1].end;
+    take_away(i + 1);
+    return i;
+  }
+  if (detours[i].end < whole) {
+    detours[i].end = whole;
+    return i;
+  }
+  if (i > 0) {
+    detours[i - 1].end = detours[i].end;
+    take_away(i);
+    return i - 1;
+  }
+  if (detours[i].begin <= 0.0) return std::nullopt;
+  detours[i].begin = 0.0;
+  return i;
+}
+
 }  // namespace waywright

@@ -58,31 +58,45 @@ PublishedWay PublishedWays::way(Cell start, Cell goal, PublishedSearch& search, 
 PublishedWay PublishedWays::line(Cell start, Cell goal, PublishedSearch& search, std::optional<std::int64_t> expansions, Budget* budget) const {
   const Vec2 from = middle_of(start), to = middle_of(goal);
   const double whole = distance(from, to);
-  const auto detours = detours_of(cells_, from, to, options_.around, [&](Vec2 a, Vec2 b) { return !first_crossing(cells_, a, b); });
+  auto detours = detours_of(cells_, from, to, options_.around, [&](Vec2 a, Vec2 b) { return !first_crossing(cells_, a, b); });
   PublishedWay way;
   way.ended = SearchEnd::found;
-  way.points.push_back(from);
-  for (const Detour& d : detours) {
+  std::vector<std::vector<Cell>> found;
+  for (std::size_t i = 0; i < detours.size();) {
+    const Detour& d = detours[i];
     const Cell begin = d.begin <= 0.0 ? start : cell_on(from, to, d.begin), end = d.end >= whole ? goal : cell_on(from, to, d.end);
     std::optional<std::int64_t> left;
     if (expansions) left = *expansions - way.expansions;
     const GridAnswer answer = search.run(graph_, nullptr, begin, end, left, budget);
     way.expansions += answer.expansions;
     ++way.local;
-    if (answer.ended != SearchEnd::found) {
-      way.ended = answer.ended;
-      way.known_at_once = answer.known_at_once && way.expansions == 0;
-      way.points.clear();
-      return way;
+    if (answer.ended == SearchEnd::found) {
+      found.push_back(answer.cells);
+      ++i;
+      continue;
     }
-    take_straight(middle_of(begin), way.points);
-    take_cells(answer.cells, way.points);
+    // An end that is free can lie in a pocket.
+    if (answer.ended == SearchEnd::unreachable) {
+      if (const auto next = widened(detours, i, whole)) {
+        i = *next;
+        found.resize(i);
+        continue;
+      }
+    }
+    way.ended = answer.ended;
+    way.known_at_once = answer.known_at_once && way.expansions == 0;
+    return way;
+  }
+  way.points.push_back(from);
+  for (const std::vector<Cell>& cells : found) {
+    take_straight(middle_of(cells.front()), way.points);
+    take_cells(cells, way.points);
   }
   take_straight(to, way.points);
   return way;
 }
 
-/// No blocked cell's middle nearer than the clearance to a straight line. Row by row what is near enough.
+/// No occupied cell's middle nearer than the clearance to a straight line. Row by row what is near enough.
 bool PublishedWays::is_clear(Vec2 from, Vec2 to) const {
   if (from.y > to.y) std::swap(from, to);
   const Vec2 way = to - from;
@@ -94,7 +108,7 @@ bool PublishedWays::is_clear(Vec2 from, Vec2 to) const {
     if (low > high) std::swap(low, high);
     const int left = static_cast<int>(std::max(0.0, std::ceil(low - clearance_))), right = static_cast<int>(std::min(cells_.columns - 1.0, std::floor(high + clearance_)));
     for (int column = left; column <= right; ++column) {
-      if (cells_.blocked[cells_.index({column, row})] == 0) continue;
+      if (cells_.occupied[cells_.index({column, row})] == 0) continue;
       const Vec2 p = middle_of({column, row});
       const double t = squared == 0.0 ? 0.0 : std::clamp(dot(p - from, way) / squared, 0.0, 1.0);
       if (squared_norm(p - (from + t * way)) < clearance_ * clearance_) return false;

@@ -116,7 +116,10 @@ class SafePlanner::Ready {
     cells.blocked = cells.occupied;
     for (int row = 0; row < frame_.rows; ++row) {
       for (int column = 0; column < frame_.columns; ++column) {
-        if (bounds_->at_least({column, row}) < needed) cells.blocked[cells.index({column, row})] = 1;
+        // Where the bounds do not tell, the outlines do.
+        if (bounds_->at_least({column, row}) >= needed) continue;
+        const Vec2 middle = frame_.centre({column, row});
+        if (bounds_->at_most({column, row}) < needed || !problem_.world().is_free({&middle, 1}, needed)) cells.blocked[cells.index({column, row})] = 1;
       }
     }
     return cells;
@@ -131,7 +134,10 @@ class SafePlanner::Ready {
       for (int column = 0; column < frame_.columns; ++column) {
         const std::size_t at = graph_.index(column, row);
         const bool is_entered = graph_.free_moves()[at] != 0 || (!graph_.asked_moves().empty() && graph_.asked_moves()[at] != 0);
-        if (is_entered) costs[at] = static_cast<std::uint16_t>(std::min(most, std::round(unit * options_.danger_weight * danger_->at({column, row}))));
+        if (!is_entered) continue;
+        const double counted_as = std::round(unit * options_.danger_weight * danger_->at({column, row}));
+        is_capped_ = is_capped_ || counted_as > most;
+        costs[at] = static_cast<std::uint16_t>(std::min(most, counted_as));
       }
     }
     graph_.set_danger(std::move(costs));
@@ -189,8 +195,8 @@ class SafePlanner::Ready {
   }
 
   std::string danger_words(const GridAnswer& answer) const {
-    return fmt::format("where a metre costs 1 + {:g}·ψ and ψ is the danger of blocked cells within {:.3f} m: {:.3f} m, and no way over the cells costs less by more than {:.6f} m", options_.danger_weight,
-                       rule_.reach, answer.cost * frame_.cell, answer.error * frame_.cell);
+    return fmt::format("where a metre costs 1 + {:g}·ψ, the second rounded to 1/256{}, and ψ is the danger of occupied cells within {:.3f} m: {:.3f} m, and no way over the cells costs less by more than {:.6f} m",
+                       options_.danger_weight, is_capped_ ? " and counted as 256 where it is more" : "", rule_.reach, answer.cost * frame_.cell, answer.error * frame_.cell);
   }
 
   PlanningResult plan_danger(Budget& budget, MotionCheck& test, const std::string& why) const {
@@ -207,22 +213,24 @@ class SafePlanner::Ready {
   PlanningResult plan_boundary(Budget& budget, MotionCheck& test) const {
     const Vec2 start = problem_.start().position(), goal = problem_.goal().position();
     const Sight sight{problem_, frame_, *bounds_, disc_.disc};
+    constexpr const char* straight_on = "Nothing stands between start and goal: the way is straight, without a search.";
+    if (may_be_straight(start, goal) && sight.is_free(start, goal, connecting_margin(problem_))) return explained({}, straight_on);
     const double margin = std::max(lattice_margin(problem_), keeps_ - disc_.disc);
     const auto sees_goal = [&](Cell c) { return may_be_straight(frame_.centre(c), goal) && !first_crossing(cells_, middle_of(c), on_cells(goal)) && sight.is_free(frame_.centre(c), goal, margin); };
     const BoundaryAnswer boundary = boundary_points({cells_, *obstacles_, *danger_, on_cells(start), on_cells(goal), sees_goal, true, [&] { return budget.exhausted(); }});
     if (budget.exhausted()) return tl::unexpected{nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, 0, budget, frame_.cell, "")};
-    if (boundary.kind == BoundaryAnswer::Kind::straight && may_be_straight(start, goal) && sight.is_free(start, goal, connecting_margin(problem_))) return explained({}, "Nothing stands between start and goal: the way is straight, without a search.");
     if (boundary.kind != BoundaryAnswer::Kind::joined) {
       return plan_danger(budget, test, boundary.kind == BoundaryAnswer::Kind::none ? fmt::format("No boundary point leads to the goal ({}), so the search went all the way. ", boundary.why) : "");
     }
     const auto from = ends_at(problem_.start(), true, test);
     if (from.empty()) return tl::unexpected{not_connected(true)};
     const GridAnswer answer = searched(from, {{boundary.last, 0.0}}, budget, test);
+    if (answer.ended == SearchEnd::unreachable) return plan_danger(budget, test, "The cell from which the last boundary point sees the goal cannot be reached, so the search went all the way. ");
     if (answer.ended != SearchEnd::found) return tl::unexpected{not_found(answer, budget)};
     std::vector<Action> actions;
     append(answer.cells, actions);
     const Vec2 last = frame_.centre(boundary.last);
-    return explained(actions, fmt::format("From corner to corner of what stands between, {} the way to the goal is straight, {:.3f} m from {}, keeping {:.3f} m or more. Up to there the least costly way over "
+    return explained(actions, fmt::format("From corner to corner of what stands between, {} the way to the goal is straight, {:.3f} m from {}, its middle {:.3f} m or more from everything. Up to there the least costly way over "
                                           "{} x {} cells of {:g} m with 16 neighbours, {}; {}.",
                                           boundary.corners.empty() ? std::string{"none of which is needed,"} : fmt::format("{} in all,", counted(static_cast<std::int64_t>(boundary.corners.size()), "boundary point")),
                                           distance(last, goal), place(last), margin + disc_.disc, frame_.columns, frame_.rows, frame_.cell, danger_words(answer), counted(budget.expansions(), "expansion")));
@@ -234,9 +242,11 @@ class SafePlanner::Ready {
     const double margin = lattice_margin(problem_);
     const Vec2 from = on_cells(start), to = on_cells(goal);
     const double whole = distance(from, to);
-    const auto detours = detours_of(cells_, from, to, options_.local_radius / frame_.cell, [&](Vec2 a, Vec2 b) { return may_be_straight(in_world(a), in_world(b)) && sight.is_free(in_world(a), in_world(b), margin); });
-    std::vector<Action> actions;
-    for (const Detour& d : detours) {
+    auto detours = detours_of(cells_, from, to, options_.local_radius / frame_.cell, [&](Vec2 a, Vec2 b) { return may_be_straight(in_world(a), in_world(b)) && sight.is_free(in_world(a), in_world(b), margin); });
+    bool is_wider = false;
+    std::vector<std::vector<Cell>> found;
+    for (std::size_t i = 0; i < detours.size();) {
+      const Detour& d = detours[i];
       std::vector<GridEnd> starts, goals;
       if (d.begin <= 0.0) starts = ends_at(problem_.start(), true, test);
       else starts = {{cell_on(from, to, d.begin), 0.0}};
@@ -244,13 +254,24 @@ class SafePlanner::Ready {
       else goals = {{cell_on(from, to, d.end), 0.0}};
       if (starts.empty() || goals.empty()) return tl::unexpected{not_connected(starts.empty())};
       const GridAnswer answer = searched(starts, goals, budget, test);
-      if (answer.ended != SearchEnd::found) return tl::unexpected{not_found(answer, budget)};
-      append(answer.cells, actions);
+      if (answer.ended == SearchEnd::found) {
+        found.push_back(answer.cells);
+        ++i;
+        continue;
+      }
+      // An end that is free can lie in a pocket.
+      const auto next = answer.ended == SearchEnd::unreachable ? widened(detours, i, whole) : std::nullopt;
+      if (!next) return tl::unexpected{not_found(answer, budget)};
+      i = *next;
+      found.resize(i);
+      is_wider = true;
     }
+    std::vector<Action> actions;
+    for (const std::vector<Cell>& cells : found) append(cells, actions);
     return explained(actions, detours.empty() ? std::string{"Nothing stands on the straight line from start to goal: the way is straight, without a search."}
-                                              : fmt::format("The straight line from start to goal, with {} over {} x {} cells of {:g} m, each from {:g} m before an obstacle to {:g} m behind it; {}.",
+                                              : fmt::format("The straight line from start to goal, with {} over {} x {} cells of {:g} m, each from {:g} m or more before an obstacle to {:g} m or more behind it{}; {}.",
                                                             searches(detours.size()), frame_.columns, frame_.rows, frame_.cell,
-                                                            options_.local_radius, options_.local_radius, counted(budget.expansions(), "expansion")));
+                                                            options_.local_radius, options_.local_radius, is_wider ? ", longer where such a stretch led nowhere" : "", counted(budget.expansions(), "expansion")));
   }
 
   PlanningResult plan_published(Budget& budget) const {
@@ -314,6 +335,7 @@ class SafePlanner::Ready {
   GridFrame frame_;
   Footprint disc_;
   DangerRule rule_;
+  bool is_capped_ = false;  ///< some danger is more than costs can hold
   double keeps_ = 0.0;  ///< m from everything, on straight parts
   std::optional<CellBounds> bounds_;
   std::optional<PublishedWays> ways_;  ///< of the published form; the rest is of the corrected one

@@ -206,6 +206,7 @@ PlanningResult RrtConnectPlanner::plan(const Problem& problem, Budget& budget) c
       explain(found, planned.path, counts, curves.radius(), options_.simplify, search, test);
   alternative.chosen = true;
   alternative.cost = length(planned.path);
+  alternative.is_length = true;
   alternative.outcome =
       fmt::format("{:.2f} m, {}.", *alternative.cost,
                   counted(counts.direction_changes, "change of direction", "changes of direction"));

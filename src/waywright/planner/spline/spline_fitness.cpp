@@ -32,6 +32,8 @@ SplineWeights normalised_weights(double least_length, double least_risk, double 
 
 SplineMeasurer::SplineMeasurer(const Problem& problem) : problem_{problem}, within_{1.5 * problem.footprint().radius()} {
   const Map& map = problem.world().map();
+  // As danger_astar has it: at least a cell and a half, or what stands beside a cell would not count.
+  for (const CellGrid& grid : map.grids) within_ = std::max(within_, 1.5 * grid.cell);
   const auto add = [&](const std::vector<Vec2>& points, bool is_closed) {
     if (!points.empty()) outlines_.push_back({points, is_closed, bounding_box(points)});
   };
@@ -77,8 +79,9 @@ SplineMeasures SplineMeasurer::measure(std::span<const Pose> poses) const {
     m.risk += risk_at(poses[i].position());
     if (i == 0) continue;
     const Vec2 step = poses[i].position() - poses[i - 1].position();
+    if (step == Vec2{}) continue;
     m.length += norm(step);
-    if (i > 1) m.turning += std::abs(arc_tangent(cross(before, step), dot(before, step)));
+    if (before != Vec2{}) m.turning += std::abs(arc_tangent(cross(before, step), dot(before, step)));
     before = step;
   }
   m.time = m.length / problem_.vehicle().limits.speed;
