@@ -55,6 +55,12 @@ Json polygons_to_json(const Map& map) {
   return j;
 }
 
+bool has_extension(const std::filesystem::path& file, std::string_view extension) {
+  std::string own = file.extension().string();
+  for (char& c : own) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  return own == extension;
+}
+
 bool count_cells(const Node& node, std::int64_t columns, std::int64_t rows) {
   node.context().cells += columns * rows;
   if (node.context().cells <= most_cells) return true;

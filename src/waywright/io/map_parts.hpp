@@ -1,7 +1,9 @@
 // What maps consist of: polygons, lines, points and grids of cells as JSON.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "waywright/io/json_reader.hpp"
@@ -21,6 +23,9 @@ void read_rings(const Node& node, std::vector<Ring>& rings, std::vector<std::str
 /// row from the top, 0 free, 1 occupied, 2 unknown.
 CellGrid read_cells(const Node& node, double most);
 Json cells_to_json(const CellGrid& grid);
+
+/// Has the file's name this ending (lower case, with its dot), in capitals or not?
+bool has_extension(const std::filesystem::path& file, std::string_view extension);
 
 /// Counts a grid's cells against what one scenario may hold; fails where it is too many.
 bool count_cells(const Node& node, std::int64_t columns, std::int64_t rows);

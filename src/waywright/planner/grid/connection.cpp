@@ -166,7 +166,7 @@ std::vector<HeadingConnection> free_connections(const Problem& problem, const He
     return found;
   }
   const Vec2 at = problem.goal().position();
-  Connector connector{space, connecting_margin(problem), false, test};
+  Connector connector{problem.zones(), space, connecting_margin(problem), false, test};
   connector.from_anywhere_facing(at);
   // Of the two ways to face along a drive, one has nothing to turn before it; the other is a turn by half a circle that nobody needs.
   std::erase_if(connector.found(), [](const HeadingConnection& c) { return !c.actions.empty() && std::abs(c.actions.front().angle) > same_place; });

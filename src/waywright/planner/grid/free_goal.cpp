@@ -87,7 +87,7 @@ std::vector<Cell> region_cells(const Problem& problem, const GridFrame& frame) {
 std::vector<GridEnd> free_ends(const Problem& problem, const GridFrame& frame, MotionCheck& test) {
   std::vector<GridEnd> ends;
   if (problem.free_goal()->is_point()) {
-    for (const DiscConnection& c : disc_connections(problem, frame, problem.goal().position(), test)) ends.push_back({c.cell, c.length / frame.cell});
+    for (const DiscConnection& c : disc_connections(problem, frame, problem.goal().position(), false, test)) ends.push_back({c.cell, c.cost / frame.cell});
   } else {
     for (const Cell c : region_cells(problem, frame)) ends.push_back({c, 0.0});
   }

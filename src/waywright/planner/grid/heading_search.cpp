@@ -7,20 +7,11 @@
 #include <limits>
 #include <utility>
 
-#include "waywright/geometry/obstacle_index.hpp"
 #include "waywright/planner/grid/heuristic_rest.hpp"
 #include "waywright/planner/grid/search_core.hpp"
 
 namespace waywright {
 namespace {
-
-/// Radius of a disc about the origin inside the footprint; 0 where the origin is not.
-double inner_radius(const Ring& ring) {
-  if (!contains(ring, {0.0, 0.0})) return 0.0;
-  double radius = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ring.size(); ++i) radius = std::min(radius, point_segment_distance({0.0, 0.0}, ring[i], ring[(i + 1) % ring.size()]));
-  return radius;
-}
 
 // Packed: heading, row, column.
 constexpr std::uint32_t pack(const HeadingState& s) {
@@ -114,7 +105,7 @@ std::vector<grid::Terminal> terminals(const std::vector<HeadingEnd>& ends, doubl
 
 HeadingSpace::HeadingSpace(const Problem& problem, const GridFrame& frame, const CellBounds& bounds, Neighbours neighbours, const HeadingCosts& costs, GridZones zones)
     : frame_{frame}, bounds_{bounds}, neighbours_{neighbours}, costs_{costs}, zones_{std::move(zones)}, headings_{static_cast<int>(neighbours)}, margin_{lattice_margin(problem)},
-      outer_{problem.footprint().radius()}, inner_{problem.footprint().is_disc() ? problem.footprint().disc : inner_radius(problem.footprint().polygon)} {
+      outer_{problem.footprint().radius()}, inner_{problem.footprint().inner_radius()} {
   const MotionCheck test{problem};
   std::vector<Vec2> ways;
   for (int h = 0; h < headings_; ++h) {

@@ -55,15 +55,20 @@ std::size_t worst_leg(const Problem& problem, const Clothoids& chain) {
   return worst;
 }
 
-/// Where the bends of a chain come from: its worst leg, and beside it one that is hardly as long as the vehicle needs to turn at all.
-std::string bends_words(const Problem& problem, const Clothoids& chain) {
-  constexpr double tiny = 0.1;  // of the least radius
-  const std::size_t worst = worst_leg(problem, chain);
+/// The shortest leg, where the vehicle could hardly turn at all on it.
+std::optional<std::size_t> tiny_leg(const Problem& problem) {
+  constexpr double share = 0.1, unlimited = 0.05;  // of the least radius; m, without one
+  const double curvature = problem.vehicle().max_curvature();
   std::size_t shortest = 0;
   for (std::size_t i = 1; i < legs_of(problem); ++i) shortest = length_of_leg(problem, i) < length_of_leg(problem, shortest) ? i : shortest;
-  std::string text = ": most between " + leg_words(problem, worst);
-  const bool is_tiny = length_of_leg(problem, shortest) < tiny / problem.vehicle().max_curvature();
-  return is_tiny && shortest != worst ? text + "; it has to turn on the way between " + leg_words(problem, shortest) : text;
+  return length_of_leg(problem, shortest) < (std::isfinite(curvature) ? share / curvature : unlimited) ? std::optional{shortest} : std::nullopt;
+}
+
+/// Where the bends of a chain come from: its worst leg, and a tiny one, which bends its neighbours, too.
+std::string bends_words(const Problem& problem, const Clothoids& chain) {
+  const std::size_t worst = worst_leg(problem, chain);
+  const auto tiny = tiny_leg(problem);
+  return ": most between " + leg_words(problem, worst) + (tiny && *tiny != worst ? "; it has to turn on the way between " + leg_words(problem, *tiny) : "");
 }
 
 Status status_of(const Budget& budget) { return budget.canceled() ? Status::canceled : budget.cut_short() ? Status::timed_out : Status::no_path; }
@@ -171,7 +176,8 @@ PlanningFailure failure_without_chain(const Problem& problem, std::int64_t looke
   failure.failure.reason = looked == 0   ? "the search was ended before it looked at a candidate"
                            : looked == 1 ? "the only candidate has no chain of clothoids from waypoint to waypoint"
                                          : fmt::format("none of {} has a chain of clothoids from waypoint to waypoint", counted(looked, "candidate"));
-  if (looked > 0 && unsolved) failure.failure.reason += "; between " + leg_words(problem, *unsolved) + ", there is none";
+  if (const auto tiny = tiny_leg(problem); looked > 0 && tiny) failure.failure.reason += "; too near to turn between may be " + leg_words(problem, *tiny);
+  else if (looked > 0 && unsolved) failure.failure.reason += "; there is none between " + leg_words(problem, *unsolved);
   return failure;
 }
 

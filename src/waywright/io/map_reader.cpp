@@ -1,0 +1,417 @@
+// A scenario's `map` object of any kind.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <tuple>
+
+#include "waywright/dxf/floor_plan.hpp"
+#include "waywright/io/files.hpp"
+#include "waywright/io/map_align.hpp"
+#include "waywright/io/map_io.hpp"
+#include "waywright/io/map_json.hpp"
+#include "waywright/io/map_parts.hpp"
+#include "waywright/io/scenario_io.hpp"
+#include "waywright/io/scenario_json.hpp"
+#include "waywright/io/vehicle_io.hpp"
+#include "waywright/map/published_maps.hpp"
+
+namespace waywright {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_files_deep = 4;
+constexpr int most_files = 256;
+constexpr int most_overlays_deep = 8;
+constexpr std::size_t deepest_source = 24;      // levels of a record that is carried along
+constexpr double largest_raw_coordinate = 1e9;  // m, before a transform: national grids have large ones
+constexpr std::uint64_t largest_drawing = 1ULL << 30;  // bytes
+constexpr double largest_record = 1e12;         // m, of a transform that was made of several
+
+/// A loading error that speaks of its own file.
+void take_over(const Node& node, InputError error) {
+  if (!node.failed()) node.context().error = std::move(error);
+}
+
+void append(Map& map, Map more) {
+  const auto move_all = [](auto& to, auto& from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  };
+  move_all(map.boundaries, more.boundaries);
+  move_all(map.obstacles, more.obstacles);
+  move_all(map.lines, more.lines);
+  move_all(map.points, more.points);
+  move_all(map.grids, more.grids);
+  move_all(map.notes, more.notes);
+}
+
+std::optional<Vec2> point_beyond_limits(const Map& map) {
+  const auto beyond = [](Vec2 p) { return !(std::max(std::abs(p.x), std::abs(p.y)) <= largest_coordinate); };
+  for (const auto* lists : {&map.boundaries, &map.obstacles, &map.lines}) {
+    for (const auto& list : *lists) {
+      if (const auto p = std::find_if(list.begin(), list.end(), beyond); p != list.end()) return *p;
+    }
+  }
+  if (const auto p = std::find_if(map.points.begin(), map.points.end(), beyond); p != map.points.end())
+    return *p;
+  for (const CellGrid& grid : map.grids) {
+    for (const int c : {0, grid.columns}) {
+      for (const int r : {0, grid.rows}) {
+        if (const Vec2 p = grid.corner(c, r); beyond(p)) return p;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// Reads one `map` object.
+class MapReader {
+ public:
+  MapReader(const Node& node, const fs::path& folder, int overlays_deep)
+      : node_{node}, folder_{folder}, overlays_deep_{overlays_deep} {}
+
+  Map read(Json& source) {
+    if (!check_fields()) return {};
+    const bool recorded = node_.has("source");
+    if (recorded && !read_source(source)) return {};
+    if (!recorded) source = {{"kind", kind_}};
+    if (node_.has("notes")) {
+      for (const Node& note : node_.at("notes").elements()) map_.notes.push_back(note.text());
+    }
+    const std::size_t known_notes = map_.notes.size();
+    most_ = node_.has("transform") || node_.has("align") ? largest_raw_coordinate : largest_coordinate;
+
+    if (kind_ == "ros")
+      read_ros(source);
+    else if (kind_ == "image")
+      read_image(source);
+    else if (kind_ == "dxf")
+      read_dxf(source);
+    else if (kind_ == "movingai")
+      read_movingai(source);
+    else if (kind_ == "generate")
+      read_generated(source);
+    else
+      read_inlined(source);
+    if (!node_.failed()) place(source);
+    if (!node_.failed() && node_.has("obstacles")) {
+      read_rings(node_.at("obstacles"), map_.obstacles, map_.notes, largest_coordinate);
+    }
+    if (!node_.failed()) check_limits();
+    if (!node_.failed() && node_.has("overlay")) read_overlays(source);
+    if (!node_.failed()) check_size(node_, map_);
+    if (!recorded || map_.notes.size() > known_notes) {
+      if (!map_.notes.empty()) source["notes"] = map_.notes;
+    }
+    return std::move(map_);
+  }
+
+ private:
+  bool check_fields() {
+    if (!node_.is_object()) {
+      node_.fail(fmt::format("it is {}", kind_of(node_.json())), "an object with polygons, cells, ros, image, dxf, movingai or generate");
+      return false;
+    }
+    if (!node_.is_object_of({"polygons", "cells", "ros", "image", "resolution", "origin", "occupied_below",
+                             "unknown_is_free", "movingai", "cell", "generate", "dxf", "unit", "obstacle_layers",
+                             "boundary_layer", "tolerance", "closing", "transform", "align", "overlay", "obstacles", "source",
+                             "notes", "alignment"})) {
+      return false;
+    }
+    int kinds = 0;
+    for (const char* kind : {"ros", "image", "dxf", "movingai", "generate"}) {
+      if (!node_.has(kind)) continue;
+      ++kinds;
+      kind_ = kind;
+    }
+    if (node_.has("polygons") || node_.has("cells")) {
+      ++kinds;
+      kind_ = "polygons";
+    }
+    if (kinds != 1) {
+      node_.fail(kinds == 0 ? "no kind of map is given" : fmt::format("{} kinds of map are given", kinds),
+                 "exactly one of polygons (with cells), ros, image, dxf, movingai, generate");
+      return false;
+    }
+    if (kind_ != "dxf" && !has_none_of({"unit", "obstacle_layers", "boundary_layer", "tolerance", "closing"})) return false;
+    if (kind_ != "movingai" && !has_none_of({"cell"})) return false;
+    if (kind_ == "movingai" || kind_ == "generate") return has_none_of({"resolution", "origin", "occupied_below", "unknown_is_free", "source", "notes", "alignment"});
+    if (kind_ == "ros")
+      return has_none_of({"resolution", "origin", "occupied_below", "source", "notes", "alignment"});
+    if (kind_ == "image") return has_none_of({"unknown_is_free", "source", "notes", "alignment"});
+    if (kind_ == "dxf") return has_none_of({"resolution", "origin", "occupied_below", "unknown_is_free", "source", "notes", "alignment"});
+    return has_none_of({"resolution", "origin", "occupied_below", "unknown_is_free"});
+  }
+
+  /// Fields of other kinds would be ignored silently.
+  bool has_none_of(std::initializer_list<const char*> fields) {
+    for (const char* field : fields) {
+      if (node_.has(field))
+        node_.at(field).fail(fmt::format("it does not go with a map of kind {}", kind_), "no such field");
+    }
+    return !node_.failed();
+  }
+
+  bool read_source(Json& source) {
+    const Node given = node_.at("source");
+    if (!given.is_object()) {
+      given.fail(fmt::format("it is {}", kind_of(given.json())), "an object");
+    } else if (depth_of(given.json()) > deepest_source) {
+      given.fail("it is nested too deeply", fmt::format("at most {} levels", deepest_source));
+    } else {
+      source = given.json();
+    }
+    return !node_.failed();
+  }
+
+  void read_ros(Json& source) {
+    const std::string name = node_.at("ros").file_name();
+    const bool unknown_is_free = node_.has("unknown_is_free") && node_.at("unknown_is_free").boolean();
+    if (node_.failed() || !count_file()) return;
+    source["file"] = name;
+    if (node_.has("unknown_is_free")) source["unknown_is_free"] = unknown_is_free;
+    take_grid(node_.at("ros"), load_ros_map(folder_ / name, unknown_is_free), source);
+  }
+
+  void read_image(Json& source) {
+    const std::string name = node_.at("image").file_name();
+    const double resolution = node_.at("resolution").number_above(0.0, 1e3);
+    const Pose origin = node_.has("origin") ? node_.at("origin").pose(most_) : Pose{};
+    const double below = node_.has("occupied_below") ? node_.at("occupied_below").number(0.0, 1.0) : 0.5;
+    if (node_.failed() || !count_file()) return;
+    source["file"] = name;
+    source["resolution"] = resolution;
+    source["origin"] = to_json(origin);
+    source["occupied_below"] = below;
+    take_grid(node_.at("image"), load_image_map(folder_ / name, resolution, origin, below), source);
+  }
+
+  /// Cells are inlined in plans, so that no plan depends on what a later version would make.
+  void read_generated(Json& source) {
+    const Node node = node_.at("generate");
+    const std::string name = node.text();
+    if (node.failed()) return;
+    auto made = published_map(name);
+    if (!made) {
+      std::string names;
+      for (const std::string& n : published_map_names()) names += (names.empty() ? "" : ", ") + n;
+      return node.fail(fmt::format("\"{}\" is not known", shortened(name)), names);
+    }
+    if (!count_cells(node_, made->grid.columns, made->grid.rows)) return;
+    source["name"] = name;
+    map_.grids.push_back(std::move(made->grid));
+  }
+
+  void read_movingai(Json& source) {
+    const std::string name = node_.at("movingai").file_name();
+    const double cell = node_.at("cell").number_above(0.0, 1e3);
+    if (node_.failed() || !count_file()) return;
+    source["file"] = name;
+    source["cell"] = cell;
+    take_grid(node_.at("movingai"), load_movingai_map(folder_ / name, cell), source);
+  }
+
+  void read_dxf(Json& source) {
+    const std::string name = node_.at("dxf").file_name();
+    dxf::Options options;
+    if (node_.has("unit")) options.unit = node_.at("unit").word({"mm", "cm", "m", "in", "ft"});
+    if (node_.has("obstacle_layers")) {
+      for (const Node& layer : node_.at("obstacle_layers").elements()) options.obstacle_layers.push_back(layer.text());
+    }
+    if (node_.has("boundary_layer")) options.boundary_layer = node_.at("boundary_layer").text();
+    if (node_.has("tolerance")) options.tolerance = node_.at("tolerance").number(dxf::least_tolerance, dxf::most_tolerance);
+    if (node_.has("closing")) options.closing = node_.at("closing").number(0.0, dxf::most_closing);
+    if (node_.failed() || !count_file()) return;
+    auto text = read_file(folder_ / name, largest_drawing);
+    if (!text) return fail_by_file(node_.at("dxf"), text.error());
+    auto plan = dxf::read_floor_plan(*text, (folder_ / name).string(), options);
+    if (!plan) {
+      // Its sentences name the option of `map`, whose map object is the outermost one.
+      InputError error = plan.error();
+      constexpr std::string_view option = "give unit (--unit)";
+      if (const std::size_t at = error.problem.find(option); at != std::string::npos && !node_.path().empty()) error.problem.replace(at, option.size(), "give " + node_.path() + ".unit");
+      return fail_by_file(node_.at("dxf"), error);
+    }
+    source["file"] = name;
+    for (const char* field : {"unit", "obstacle_layers", "boundary_layer", "tolerance", "closing"}) {
+      if (node_.has(field)) source[field] = node_.at(field).json();
+    }
+    add_file(source, fs::path{name}.filename().string(), sha256(*text));
+    map_.boundaries = std::move(plan->boundaries);
+    map_.obstacles = std::move(plan->obstacles);
+    map_.lines = std::move(plan->lines);
+    for (std::string& note : plan->notes) map_.notes.push_back(std::move(note));
+  }
+
+  void take_grid(const Node& name, Parsed<LoadedGrid> loaded, Json& source) {
+    if (!loaded) return fail_by_file(name, loaded.error());
+    if (!count_cells(node_, loaded->grid.columns, loaded->grid.rows)) return;
+    // The files' names without their folders: the record is the same wherever the scenario lies.
+    for (const MapFile& file : loaded->files)
+      add_file(source, fs::path{file.path}.filename().string(), file.sha256);
+    map_.grids.push_back(std::move(loaded->grid));
+    map_.notes.insert(map_.notes.end(), loaded->notes.begin(), loaded->notes.end());
+  }
+
+  static void add_file(Json& source, const std::string& name, const std::string& hash) {
+    source["files"].push_back({{"name", name}, {"sha256", hash}});
+  }
+
+  void read_inlined(Json& source) {
+    if (node_.has("alignment")) map_.alignment = read_alignment(node_.at("alignment"));
+    if (node_.has("polygons")) {
+      const Node polygons = node_.at("polygons");
+      if (polygons.json().is_string())
+        read_named(polygons, source);
+      else
+        read_polygons(polygons, map_, most_);
+    }
+    if (node_.failed() || !node_.has("cells")) return;
+    for (const Node& cells : node_.at("cells").elements()) {
+      map_.grids.push_back(read_cells(cells, most_));
+      if (node_.failed()) return;
+    }
+  }
+
+  static Alignment read_alignment(const Node& node) {
+    Alignment alignment;
+    if (!node.is_object_of({"transform", "residuals"})) return alignment;
+    alignment.transform = node.at("transform").pose(largest_record);
+    if (node.has("residuals")) alignment.residuals = node.at("residuals").numbers(0.0, largest_record);
+    return alignment;
+  }
+
+  /// A map.json: a map object of its own, or just the polygons.
+  void read_named(const Node& polygons, Json& source) {
+    if (node_.has("source"))
+      return polygons.fail("a named map has its own record", "polygons inlined where source is given");
+    const std::string name = polygons.file_name();
+    if (node_.failed() || !count_file()) return;
+    const fs::path path = folder_ / name;
+    for (const auto& [extension, what, kind] : {std::tuple{".dxf", "a drawing", "dxf"}, {".yaml", "a ROS map", "ros"}, {".yml", "a ROS map", "ros"}}) {
+      if (has_extension(path, extension)) return polygons.fail(fmt::format("{} is {}, not a map.json", name, what), fmt::format("{{\"{}\": \"{}\"}}", kind, name));
+    }
+    auto text = read_file(path, largest_json);
+    if (!text) return fail_by_file(polygons, text.error());
+    auto json = parse_json(*text, path.string());
+    if (!json) return take_over(node_, json.error());
+    ReadContext inner = node_.context();
+    inner.file = path.string();
+    if (++inner.files_deep > most_files_deep) {
+      return polygons.fail("map files name each other in a circle or too deeply",
+                           fmt::format("at most {} levels", most_files_deep));
+    }
+    const Node root{*json, "", inner};
+    Json inner_source = Json::object();
+    Map named;
+    if (is_bare(*json))
+      read_polygons(root, named, most_);
+    else
+      named = MapReader{root, path.parent_path(), overlays_deep_}.read(inner_source);
+    node_.context().files_read = inner.files_read;
+    node_.context().cells = inner.cells;
+    if (inner.error) return take_over(node_, *inner.error);
+    source["file"] = name;
+    add_file(source, path.filename().string(), sha256(*text));
+    if (!inner_source.empty()) source["source"] = std::move(inner_source);
+    for (std::string& note : named.notes) note = name + ": " + note;
+    map_.alignment = named.alignment;
+    append(map_, std::move(named));
+  }
+
+  static bool is_bare(const Json& json) {
+    const auto any = [&](std::initializer_list<const char*> fields) {
+      return json.is_object() &&
+             std::any_of(fields.begin(), fields.end(), [&](const char* f) { return json.contains(f); });
+    };
+    return any({"boundary", "boundaries", "obstacles", "lines", "points"}) &&
+           !any({"polygons", "cells", "ros", "image", "dxf", "movingai", "generate"});
+  }
+
+  bool count_file() {
+    if (++node_.context().files_read <= most_files) return true;
+    node_.fail("too many map files are named", fmt::format("at most {} in all", most_files));
+    return false;
+  }
+
+  void place(Json& source) {
+    if (node_.has("transform") && node_.has("align")) {
+      return node_.at("align").fail("both transform and align are given", "one of them");
+    }
+    Alignment alignment;
+    if (node_.has("transform")) {
+      alignment.transform = node_.at("transform").pose(largest_raw_coordinate);
+    } else if (node_.has("align")) {
+      auto found = read_align(node_.at("align"), largest_raw_coordinate, map_.notes);
+      if (!found) return;
+      alignment = std::move(*found);
+    } else {
+      return;
+    }
+    if (node_.failed()) return;
+    transform(map_, alignment.transform);
+    for (std::vector<Ring>* rings : {&map_.boundaries, &map_.obstacles}) {
+      for (Ring& ring : *rings) repair_placed(ring);
+    }
+    // A map that had been placed before is now placed by both.
+    if (map_.alignment) alignment.transform = Frame{alignment.transform}.to_world(map_.alignment->transform);
+    source["transform"] = to_json(alignment.transform);
+    if (!alignment.residuals.empty()) source["align_residuals"] = alignment.residuals;
+    map_.alignment = std::move(alignment);
+  }
+
+  /// Corners that rounding brings together, or edges that it makes cross, are found here and not by whoever
+  /// reads the map again.
+  void repair_placed(Ring& ring) {
+    RingRepair repair = repair_ring(std::move(ring));
+    if (repair.refused)
+      node_.fail("in the world frame " + *repair.refused, "polygons that stay simple when they are moved");
+    for (const std::string& mended : repair.mended)
+      map_.notes.push_back(node_.path() + ": in the world frame " + mended);
+    ring = std::move(repair.ring);
+  }
+
+  void check_limits() {
+    if (const auto p = point_beyond_limits(map_)) {
+      node_.fail(fmt::format("it reaches ({:g}, {:g}) in the world frame", p->x, p->y),
+                 fmt::format("coordinates within {:g} m after the transform", largest_coordinate));
+    }
+  }
+
+  void read_overlays(Json& source) {
+    const Node overlays = node_.at("overlay");
+    if (overlays_deep_ >= most_overlays_deep) {
+      return overlays.fail("overlays are nested too deeply",
+                           fmt::format("at most {} levels", most_overlays_deep));
+    }
+    Json records =
+        source.contains("overlay") && source["overlay"].is_array() ? source["overlay"] : Json::array();
+    for (const Node& over : overlays.elements()) {
+      Json record = Json::object();
+      Map more = MapReader{over, folder_, overlays_deep_ + 1}.read(record);
+      if (node_.failed()) return;
+      for (CellGrid& grid : more.grids)
+        grid.bounds = false;  // an overlay says nothing of what lies outside it
+      records.push_back(std::move(record));
+      append(map_, std::move(more));
+    }
+    if (!records.empty()) source["overlay"] = std::move(records);
+  }
+
+  const Node& node_;
+  const fs::path& folder_;
+  int overlays_deep_;
+  std::string kind_;
+  double most_ = largest_coordinate;
+  Map map_;
+};
+
+}  // namespace
+
+Map read_map_node(const Node& node, const fs::path& folder, Json& source) {
+  return MapReader{node, folder, 0}.read(source);
+}
+
+}  // namespace waywright
