@@ -61,8 +61,8 @@ void SvgWriter::polygon(const std::vector<Vec2>& ring, std::string_view style_cl
   out_ += fmt::format("<polygon class=\"{}\" points=\"{}\"/>\n", style_class, points(ring));
 }
 
-void SvgWriter::stroked_polyline(const std::vector<Vec2>& line, std::string_view attributes) {
-  out_ += fmt::format("<polyline fill=\"none\" {} stroke-width=\"3\" points=\"{}\"/>\n", attributes, points(line));
+void SvgWriter::stroked_polyline(const std::vector<Vec2>& line, std::string_view attributes, double width) {
+  out_ += fmt::format("<polyline fill=\"none\" {} stroke-width=\"{:g}\" points=\"{}\"/>\n", attributes, width, points(line));
 }
 
 void SvgWriter::polyline(const std::vector<Vec2>& line, std::string_view style_class) {

@@ -31,7 +31,7 @@ class SvgWriter {
   /// World coordinates.
   void polygon(const std::vector<Vec2>& ring, std::string_view style_class);
   void polyline(const std::vector<Vec2>& points, std::string_view style_class);
-  void stroked_polyline(const std::vector<Vec2>& points, std::string_view attributes);  ///< attributes: of the stroke, as XML
+  void stroked_polyline(const std::vector<Vec2>& points, std::string_view attributes, double width = 3.0);  ///< attributes: of the stroke, as XML; width in px
   void line(Vec2 a, Vec2 b, std::string_view style_class);
   void dot(Vec2 p, double pixels, std::string_view style_class);
   void square(Vec2 middle, double pixels, std::string_view style_class);

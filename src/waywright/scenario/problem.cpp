@@ -207,6 +207,11 @@ Parsed<Problem> Problem::prepare(Scenario scenario, const World* of_map) {
     if (given.zones[i].type == ZoneType::forbidden) problem.world_.add_obstacle(given.zones[i].area, title_of(given.zones[i], i));
   }
   problem.zones_ = ZoneRules{given.zones};
+  if (problem.driven_back_) {
+    std::vector<Zone> other_way = given.zones;
+    for (Zone& z : other_way) z.direction = wrap(z.direction + pi);
+    problem.zones_driven_back_ = ZoneRules{other_way};
+  }
   if (auto error = problem.set_motion()) return tl::unexpected{*error};
   if (auto error = problem.check_waypoints()) return tl::unexpected{*error};
   problem.world_.build();

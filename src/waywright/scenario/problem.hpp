@@ -31,6 +31,8 @@ class Problem {
   const World& world() const { return world_; }
   /// The scenario's zones; those that are forbidden are obstacles of the world.
   const ZoneRules& zones() const { return zones_; }
+  /// The same for planners: where the way is planned from its end and driven back, zones lead the other way.
+  const ZoneRules& zones_as_planned() const { return driven_back_ ? zones_driven_back_ : zones_; }
   /// What drives: the vehicle's footprint, with its load where it carries one.
   const Footprint& footprint() const { return footprint_; }
 
@@ -97,7 +99,7 @@ class Problem {
   std::optional<Piece> stopping_;
   Pose rest_{};
   World world_;
-  ZoneRules zones_;
+  ZoneRules zones_, zones_driven_back_;
   Pose goal_{};
   double pose_error_margin_ = 0.0;
 };

@@ -18,6 +18,9 @@ std::vector<Vec2> bends_of(const std::vector<Vec2>& points) {
   return bends;
 }
 
+/// px; those below are wider, so that ways that are the same show at both sides.
+double stroke_width(std::size_t method) { return 6.5 - 1.6 * static_cast<double>(method); }
+
 }  // namespace
 
 std::string svg(const std::vector<Experiment>& experiments, double width) {
@@ -46,7 +49,7 @@ std::string svg(const std::vector<Experiment>& experiments, double width) {
     }
     cells(e.grid);
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      for (const std::vector<Vec2>& leg : e.ours[m].legs) panel.stroked_polyline(bends_of(leg), stroke_attributes(overlay_stroke(m)));
+      for (const std::vector<Vec2>& leg : e.ours[m].legs) panel.stroked_polyline(bends_of(leg), stroke_attributes(overlay_stroke(m)), stroke_width(m));
     }
     for (const Vec2 p : e.ours[own].boundary) panel.raw(fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"2.4\" fill=\"none\" stroke=\"{}\"/>\n", fixed(panel.view()(p).x), fixed(panel.view()(p).y), overlay_stroke(own).colour));
     panel.label(e.legs.front().start, {6.0, 12.0}, "S", "small");
@@ -64,13 +67,13 @@ std::string svg(const std::vector<Experiment>& experiments, double width) {
   }
   double x = gap;
   for (std::size_t m = 0; m < methods.size(); ++m) {
-    body += fmt::format("<line x1=\"{0}\" y1=\"24\" x2=\"{1}\" y2=\"24\" {2} stroke-width=\"3\"/><text class=\"small\" x=\"{3}\" y=\"28\">{4}</text>\n", fixed(x), fixed(x + 34.0),
-                        stroke_attributes(overlay_stroke(m)), fixed(x + 40.0), methods[m]);
+    body += fmt::format("<line x1=\"{0}\" y1=\"24\" x2=\"{1}\" y2=\"24\" {2} stroke-width=\"{5:g}\"/><text class=\"small\" x=\"{3}\" y=\"28\">{4}</text>\n", fixed(x), fixed(x + 34.0),
+                        stroke_attributes(overlay_stroke(m)), fixed(x + 40.0), methods[m], stroke_width(m));
     x += 110.0;
   }
   body += fmt::format("<circle cx=\"{}\" cy=\"24\" r=\"3\" fill=\"none\" stroke=\"{}\"/><text class=\"small\" x=\"{}\" y=\"28\">boundary point of SHA*</text>\n", fixed(x + 6.0), overlay_stroke(own).colour, fixed(x + 16.0));
   x += 190.0;
-  body += fmt::format("<circle cx=\"{}\" cy=\"24\" r=\"4\" fill=\"#fff\" stroke=\"#000\" stroke-width=\"2\"/><text class=\"small\" x=\"{}\" y=\"28\">goods; the four lengths are in this order</text>\n", fixed(x + 6.0), fixed(x + 16.0));
+  body += fmt::format("<circle cx=\"{}\" cy=\"24\" r=\"4\" fill=\"#fff\" stroke=\"#000\" stroke-width=\"2\"/><text class=\"small\" x=\"{}\" y=\"28\">goods; lengths are in the order of the methods</text>\n", fixed(x + 6.0), fixed(x + 16.0));
   const std::size_t rows = (experiments.size() + columns - 1) / columns;
   return framed(std::move(body), width, legend + static_cast<double>(rows) * (side + title + gap), "Experiments of the safe-A* publication");
 }

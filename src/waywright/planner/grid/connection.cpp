@@ -145,7 +145,7 @@ std::vector<DiscConnection> disc_connections(const Problem& problem, const GridF
   if (!is_near(frame, at)) return {};
   if (const Cell c = cell_of(frame, at); is_middle(frame, c, at)) return {{c, 0.0}};
   const double margin = connecting_margin(problem);
-  const ZoneRules& zones = problem.zones();
+  const ZoneRules& zones = problem.zones_as_planned();
   std::vector<DiscConnection> found;
   for (int k = 1; k <= widest && found.empty(); ++k) {
     for (const Cell c : around(frame, at, k)) {
@@ -166,7 +166,7 @@ std::vector<HeadingConnection> free_connections(const Problem& problem, const He
     return found;
   }
   const Vec2 at = problem.goal().position();
-  Connector connector{problem.zones(), space, connecting_margin(problem), false, test};
+  Connector connector{problem.zones_as_planned(), space, connecting_margin(problem), false, test};
   connector.from_anywhere_facing(at);
   // Of the two ways to face along a drive, one has nothing to turn before it; the other is a turn by half a circle that nobody needs.
   std::erase_if(connector.found(), [](const HeadingConnection& c) { return !c.actions.empty() && std::abs(c.actions.front().angle) > same_place; });
@@ -176,7 +176,7 @@ std::vector<HeadingConnection> free_connections(const Problem& problem, const He
 
 std::vector<HeadingConnection> heading_connections(const Problem& problem, const HeadingSpace& space, const Pose& pose, bool is_start, MotionCheck& test) {
   const double margin = connecting_margin(problem);
-  Connector connector{problem.zones(), space, margin, is_start, test};
+  Connector connector{problem.zones_as_planned(), space, margin, is_start, test};
   connector.from(pose, {}, 0.0);
   // Out of an aisle or opening that it cannot turn in, as far as it goes straight on.
   const double step = std::max(space.frame().cell, 0.1 * problem.footprint().radius());
@@ -189,7 +189,7 @@ std::vector<HeadingConnection> heading_connections(const Problem& problem, const
       const Vec2 there = pose.position() + (outward * s) * unit(pose.heading);
       is_open = connector.zones_allow(pose.position(), there) && test.is_drive_free(pose.position(), there, pose.heading, margin);
       if (!is_open) continue;
-      Connector next{problem.zones(), space, margin, is_start, test};
+      Connector next{problem.zones_as_planned(), space, margin, is_start, test};
       next.from(make_pose(there, pose.heading), {{Action::Kind::drive, 0.0, there, outward}}, connector.driving(pose.position(), there, outward));
       for (HeadingConnection& c : next.found()) connector.found().push_back(std::move(c));
     }

@@ -34,7 +34,7 @@ class GridPlanner::Ready {
     footprint_ = problem.footprint();
     // At any angle a footprint has to turn by any angle: the disc around it can, wherever it can stand.
     if (options.any_angle) footprint_ = {{}, footprint_.radius()};
-    auto zones = GridZones::make(problem.zones(), frame_, options.neighbours);
+    auto zones = GridZones::make(problem.zones_as_planned(), frame_, options.neighbours);
     if (!zones) {
       refused_ = zones.error();
       return;
@@ -87,7 +87,7 @@ class GridPlanner::Ready {
       }
       return std::nullopt;
     }
-    if (!is_plain_line(problem_.zones(), start.position(), goal.position())) return std::nullopt;
+    if (!is_plain_line(problem_.zones_as_planned(), start.position(), goal.position())) return std::nullopt;
     const double course = angle_of(goal.position() - start.position());
     const double first = shorter_turn(start.heading, course), last = shorter_turn(course, goal.heading);
     if (!test.is_turn_free(start.position(), start.heading, first, margin) || !test.is_drive_free(start.position(), goal.position(), course, margin)) return std::nullopt;
@@ -242,9 +242,9 @@ class GridPlanner::Ready {
     return planned;
   }
 
-  bool is_weighed() const { return problem_.zones().weighs(); }
+  bool is_weighed() const { return problem_.zones_as_planned().weighs(); }
   /// nullptr where no zone directs or weighs.
-  const ZoneRules* zones() const { return problem_.zones().directs() || is_weighed() ? &problem_.zones() : nullptr; }
+  const ZoneRules* zones() const { return problem_.zones_as_planned().directs() || is_weighed() ? &problem_.zones_as_planned() : nullptr; }
 
   const Problem& problem_;
   std::string refused_;

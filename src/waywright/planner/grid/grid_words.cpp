@@ -35,7 +35,7 @@ bool is_plain_line(const ZoneRules& zones, Vec2 from, Vec2 to) {
 }
 
 std::string zone_sentence(const Problem& problem, const Path& path) {
-  const ZoneRules& zones = problem.zones();
+  const ZoneRules& zones = problem.zones_as_planned();
   if (!zones.directs() && !zones.weighs()) return {};
   double metres = 0.0, cost = 0.0;
   for (const Piece& piece : path.pieces) {

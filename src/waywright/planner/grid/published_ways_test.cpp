@@ -196,5 +196,22 @@ TEST(RegularObstacles, EncloseTheirPoints) {
   }
 }
 
+// Blocks instead of cells must not hide what stands beside the one that asks, and danger grows towards a wall.
+TEST(CellDanger, GrowsTowardsAWallAtAnyReach) {
+  for (const double reach : {0.5, 0.6, 2.0, 5.0, 20.0}) {
+    SCOPED_TRACE(reach);
+    const int side = 101;
+    std::vector<std::uint8_t> one(static_cast<std::size_t>(side) * side, 0), wall = one;
+    one[50 * side + 51] = 1;
+    for (int row = 0; row < side; ++row) wall[static_cast<std::size_t>(row) * side] = 1;
+    DangerRule rule;
+    rule.reach = reach;
+    const CellDanger beside{side, side, 0.1, one, rule};
+    EXPECT_NEAR(beside.at({50, 50}), 2.0 / 0.1 * 0.01, 1e-12);  // one cell, a cell away
+    const CellDanger along{side, side, 0.1, wall, rule};
+    for (int column = 1; column < 60; ++column) EXPECT_GE(along.at({column, 50}), along.at({column + 1, 50})) << column;
+  }
+}
+
 }  // namespace
 }  // namespace waywright

@@ -52,7 +52,7 @@ class SafePlanner::Ready {
       bounds_.reset();
       return;
     }
-    auto zones = GridZones::make(problem.zones(), frame_, neighbours());
+    auto zones = GridZones::make(problem.zones_as_planned(), frame_, neighbours());
     if (!zones) {
       refused_ = zones.error();
       return;
@@ -159,7 +159,7 @@ class SafePlanner::Ready {
   }
 
   /// Straight parts go against no direction and through no penalty: there it is searched. The published form knows no zones but forbidden ones.
-  bool may_be_straight(Vec2 from, Vec2 to) const { return options_.is_published || grid::is_plain_line(problem_.zones(), from, to); }
+  bool may_be_straight(Vec2 from, Vec2 to) const { return options_.is_published || grid::is_plain_line(problem_.zones_as_planned(), from, to); }
 
   std::vector<GridEnd> ends_at(const Pose& pose, bool is_start, MotionCheck& test) const {
     std::vector<GridEnd> ends;
@@ -320,7 +320,7 @@ class SafePlanner::Ready {
     }
     if (!options_.is_published) {
       if (std::string sentence = grid::zone_sentence(problem_, planned.path); !sentence.empty()) {
-        if (options_.method != PublishedMethod::danger && problem_.zones().weighs()) {
+        if (options_.method != PublishedMethod::danger && problem_.zones_as_planned().weighs()) {
           sentence += " Zones are weighed where it searches over cells; straight parts go around penalties, and look for no preferred zone.";
         }
         planned.explanation.push_back(std::move(sentence));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,20 +14,21 @@
 
 namespace waywright {
 
-/// A metre costs (1 + bend · κ²) · (1 + weight · (1 − (c − r) / range)²): κ is the curvature there, c the exact clearance of the whole footprint and r what is
+/// A metre costs k · (1 + bend · κ²) · (1 + weight · (1 − (c − r) / range)²): κ is the curvature there, c the exact clearance of the whole footprint and r what is
 /// required of it; from r + range on there is no danger.
 struct DangerCosts {
   double weight = 4.0;
   double range = 0.6;    ///< m, > 0
-  double forward = 1.0;  ///< times as much for a metre forwards, ≥ 1
+  double forward = 1.0;  ///< times as much for a metre forwards as it is planned, ≥ 1
   double reverse = 2.0;  ///< and backwards
   double bend = 0.0;     ///< m², ≥ 0
   double change = 1.0;   ///< m that a change of direction counts as
   double turn = 0.3;     ///< m that a radian on the spot counts as
 
+  double each(int direction) const { return direction < 0 ? reverse : forward; }
   /// What a stretch counts as where nothing is near, m.
   double metres_of(const Stretch& stretch) const {
-    return stretch.direction == 0 ? turn * std::abs(stretch.turn.angle) : (stretch.direction < 0 ? reverse : forward) * (length_of(stretch) + bend * bend_of(stretch));
+    return stretch.direction == 0 ? turn * std::abs(stretch.turn.angle) : each(stretch.direction) * (length_of(stretch) + bend * bend_of(stretch));
   }
   /// Of a metre. @param beyond what is required, m
   double density(double beyond) const {
@@ -43,6 +45,7 @@ struct CostedPose {
   Vec2 offset{};         ///< m, in world axes
   Vec2 course{};         ///< direction of travel, a unit vector in world axes; (0, 0) where it turns on the spot
   double heading = 0.0;  ///< of the vehicle, rad, world
+  double way = 0.0;      ///< m of the origin from the one before
   double metres = 0.0;   ///< what the way from the one before counts as where nothing is near
   double sweep = 0.0;    ///< m, no point of the footprint moves farther on that way
 };
@@ -63,9 +66,6 @@ class MotionCost {
 
   std::vector<CostedPose> poses_of(const Stretch& stretch, double step) const;
 
-  /// Cost by the trapezoidal rule over the poses, moved by `at`, weighed by the zones that it leads through; empty where the motion is not free, or goes against the direction of a
-  /// zone. `is_free_between` is asked where the poses do not tell whether
-  /// what lies between them keeps the margin.
   /// Of a stretch it is no less than this, m.
   double at_least(const Stretch& stretch) const { return stretch.direction == 0 ? costs_.metres_of(stretch) : least_factor() * costs_.metres_of(stretch); }
   /// A metre in any zone counts as no less.
@@ -73,6 +73,11 @@ class MotionCost {
   /// Zones that weigh ways, or tell their direction.
   bool heeds_zones() const { return zones_.weighs() || zones_.directs(); }
 
+  /// Does a zone that is heeded come near to what lies within `reach` m of a place?
+  bool zones_near(Vec2 place, double reach) const;
+
+  /// Cost by the trapezoidal rule over the poses, moved by `at`, weighed by the zones that it leads through; empty where the motion is not free, or goes against the direction of a
+  /// zone. `is_free_between` is asked where the poses do not tell whether what lies between them keeps the margin.
   template <class Exact>
   std::optional<double> of(std::span<const CostedPose> poses, Vec2 at, Exact&& is_free_between) {
     double sum = 0.0, before = 0.0, cost_before = 0.0;
@@ -84,7 +89,7 @@ class MotionCost {
       const double cost = costs_.density(clearance - required_);
       if (i > 0) {
         double metres = p.metres;
-        if (heeds_zones()) {
+        if (heeds_zones() && zones_near(at + p.offset, p.way)) {
           const auto factor = zone_factor(poses[i - 1], p, at);
           if (!factor) return std::nullopt;
           metres *= *factor;

@@ -15,23 +15,36 @@ namespace {
 constexpr double cells_a_radius = 8.0;
 constexpr double finest = 0.1, coarsest = 0.5;  // m, of cells that nobody asked for
 constexpr double rounded_to = 0.05;                // m
-constexpr double usual_cells = 250'000;          // where nobody asks
+constexpr double usual_cells = 120'000;          // where nobody asks
 constexpr double half_diagonal = 0.7071067811866;
 constexpr double most_bent = 0.6;                // rad, of a motion into the goal: how far the chord leaves that of an arc
 constexpr std::size_t most_a_heading = 16;       // motions into the goal from states of one heading and direction, the shortest
+constexpr double least_cell = 0.01;              // m
+constexpr double most_cells_a_radius = 200.0;
+constexpr double same_place = 1e-9;              // m
+constexpr std::size_t most_tries = 3000;         // of motions into the goal, of each heading and direction
 constexpr double near_by = 2.5;                  // cells, from where a vehicle that turns on the spot drives straight to the goal
+
+/// m, of the largest disc about the origin in the footprint; of one that the origin is outside of: less than nothing, by how far it is.
+double reach_inside(const Footprint& footprint) {
+  const double inner = footprint.inner_radius();
+  if (inner > 0.0 || footprint.is_disc()) return inner;
+  return -distance(nearest_in(footprint.polygon, {0.0, 0.0}), {0.0, 0.0});
+}
 
 double cell_of(double radius) { return std::clamp(rounded_to * std::round(radius / cells_a_radius / rounded_to), finest, coarsest); }
 
 }  // namespace
 
 LatticeGraph::LatticeGraph(const Problem& problem, const LatticeOptions& options)
-    : options_{options}, margin_{lattice_margin(problem)}, required_{problem.required_clearance()}, frame_{problem.start()} {
+    : options_{options}, margin_{connecting_margin(problem)}, required_{problem.required_clearance()}, frame_{problem.start()} {
   const Vehicle& vehicle = problem.vehicle();
-  if (problem.is_driven_back()) std::swap(options_.costs.forward, options_.costs.reverse);
+  if (problem.is_driven_back()) {
+    std::swap(options_.costs.forward, options_.costs.reverse);
+    std::swap(options_.may_forward, options_.may_reverse);
+  }
   options_.may_turn = options.may_turn && vehicle.can_turn_on_the_spot();
-  limits_.curvature = std::min(vehicle.max_curvature(), 1.0 / options.min_radius);
-  if (std::isfinite(vehicle.max_curvature())) limits_.curvature = vehicle.max_curvature();
+  limits_.curvature = std::isfinite(vehicle.max_curvature()) ? vehicle.max_curvature() : 1.0 / options.min_radius;
   limits_.curvature_rate = vehicle.limits.curvature_rate.value_or(std::numeric_limits<double>::infinity());
   if (!(limits_.curvature > 0.0)) {
     refused_ = "the vehicle cannot bend its way at all: its curvature is limited to 0";
@@ -39,13 +52,22 @@ LatticeGraph::LatticeGraph(const Problem& problem, const LatticeOptions& options
   }
   options_.costs.bend = options.bend_share / (limits_.curvature * limits_.curvature);
   cell_ = options.cell > 0.0 ? options.cell : cell_of(1.0 / limits_.curvature);
+  if (cell_ < least_cell) {
+    refused_ = fmt::format("the resolution is {:g} m, and cells of {:g} m or more are searched", cell_, least_cell);
+    return;
+  }
   if (!set_extent(problem)) return;
+  if (const double radius = 1.0 / limits_.curvature; radius > most_cells_a_radius * cell_) {
+    refused_ = fmt::format("the vehicle's least radius, {:g} m, is more than {:g} cells of {:g} m: give a coarser resolution", radius, most_cells_a_radius, cell_);
+    return;
+  }
   bounds_.emplace(problem, grid_);
-  inner_radius_ = problem.footprint().inner_radius();
+  inner_radius_ = reach_inside(problem.footprint());
   bound_clearances();
   look_for_a_way(problem);
   const MotionCost cost{problem, options_.costs, margin_};
-  primitives_ = motion_primitives({cell_, limits_, options_.may_turn, options_.may_reverse, frame_.heading()}, cost);
+  const double diagonal = cell_ * std::sqrt(static_cast<double>(columns_) * columns_ + static_cast<double>(rows_) * rows_);
+  primitives_ = motion_primitives({cell_, limits_, options_.may_turn, options_.may_forward, options_.may_reverse, 2.0 * diagonal, frame_.heading()}, cost);
   find_goal_motions(problem);
 }
 
@@ -74,7 +96,7 @@ bool LatticeGraph::set_extent(const Problem& problem) {
         return false;
       }
     } else if (options_.cell > 0.0 || cell_ > 100.0) {
-      refused_ = grid.error();
+      refused_ = fmt::format("for cells of {:g} m {}", cell_, grid.error());
       return false;
     }
     cell_ *= 2.0;
@@ -85,7 +107,7 @@ double LatticeGraph::clearance_at_most(Vec2 place) const {
   const Vec2 at = grid_.in_cells(place);
   const Cell c{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
   // Beyond a grid of the map's own all is blocked; beyond cells that were laid over what can be driven on nothing is known.
-  if (!grid_.contains(c)) return grid_.is_native ? 0.0 : std::numeric_limits<double>::infinity();
+  if (!grid_.contains(c)) return grid_.is_native ? std::max(0.0, -inner_radius_) : std::numeric_limits<double>::infinity();
   const double x = at.x - c.column - 0.5, y = at.y - c.row - 0.5;
   return bounds_->at_most(c) + std::sqrt(x * x + y * y) * grid_.cell * (1.0 + 1e-9) - inner_radius_;
 }
@@ -186,22 +208,26 @@ void LatticeGraph::find_goal_motions(const Problem& problem) {
     }
   }
   std::sort(near.begin(), near.end(), [](const Near& a, const Near& b) { return a.distance != b.distance ? a.distance < b.distance : a.cell < b.cell; });
+  const auto may = [&](int direction) { return direction < 0 ? options_.may_reverse : options_.may_forward; };
   for (const int direction : {1, -1}) {
-    if (direction < 0 && !options_.may_reverse) continue;
+    if (!may(direction)) continue;
     const double course = wrap(direction < 0 ? goal.heading + pi : goal.heading);
     for (int h = 0; h < lattice_headings; ++h) {
       const double turn = wrap(course - lattice_heading(h));
       if (std::abs(turn) > 0.5 * pi + 0.1) continue;
-      std::size_t found = 0;
+      std::size_t found = 0, tries = 0;
       for (const Near& n : near) {
-        if (found == most_a_heading) break;
+        if (found == most_a_heading || tries == most_tries) break;
         const Vec2 way = goal.position() - local(n.cell);
-        if (n.distance == 0.0) {
+        if (n.distance <= same_place) {
           if (std::abs(turn) <= 1e-9) add(n.cell, direction > 0 ? h : other_way(h), direction, {}), ++found;
           continue;
         }
         const double aside = wrap(angle_of(way) - lattice_heading(h));
         if (std::abs(aside) > 0.5 * pi || std::abs(2.0 * aside - turn) > most_bent) continue;
+        // What turns so much within the limits is longer than what is taken between such places.
+        if (std::abs(turn) > longest_fit * n.distance * limits_.curvature) continue;
+        ++tries;
         auto curves = fitted_within(make_pose(local(n.cell), lattice_heading(h)), 0.0, make_pose(goal.position(), course), 0.0, limits_);
         if (curves.empty()) continue;
         add(n.cell, direction > 0 ? h : other_way(h), direction, {Stretch{direction, std::move(curves), {}}});
@@ -215,14 +241,14 @@ void LatticeGraph::find_goal_motions(const Problem& problem) {
       const Vec2 at = local(n.cell), way = goal.position() - at;
       for (int h = 0; h < lattice_headings; ++h) {
         for (const int direction : {1, -1}) {
-          if (n.distance == 0.0 || (direction < 0 && !options_.may_reverse)) continue;
+          if (n.distance <= same_place || !may(direction)) continue;
           const double course = angle_of(way), heading = wrap(direction < 0 ? course + pi : course);
           const double first = wrap(heading - lattice_heading(h)), last = wrap(goal.heading - heading);
           if (std::abs(first) > 0.5 * pi + 1e-9) continue;
           add(n.cell, h, direction,
               {Stretch{0, {}, Turn{at, lattice_heading(h), first}}, Stretch{direction, {Clothoid{make_pose(at, course), 0.0, 0.0, n.distance}}, {}}, Stretch{0, {}, Turn{goal.position(), heading, last}}});
         }
-        if (n.distance == 0.0) add(n.cell, h, 0, {Stretch{0, {}, Turn{at, lattice_heading(h), wrap(goal.heading - lattice_heading(h))}}});
+        if (n.distance <= same_place) add(n.cell, h, 0, {Stretch{0, {}, Turn{at, lattice_heading(h), wrap(goal.heading - lattice_heading(h))}}});
       }
     }
   }

@@ -15,7 +15,7 @@ struct LatticeOptions {
   double cell = 0.0;        ///< m; 0: an eighth of the least radius, 0.1 to 0.5
   double min_radius = 0.5;  ///< m, of vehicles whose curvature is not limited
   bool may_turn = true;     ///< on the spot, where the vehicle can
-  bool may_reverse = true;
+  bool may_forward = true, may_reverse = true;  ///< as it is planned
   double bend_share = 0.2;  ///< by so much a metre at the sharpest bend costs more
   DangerCosts costs{};      ///< `bend` is made of the share
 };
@@ -36,7 +36,7 @@ struct GoalMotion {
 
 class LatticeGraph {
  public:
-  static constexpr std::int64_t most_cells = 2'000'000;
+  static constexpr std::int64_t most_cells = 500'000;
 
   /// `refused` says why there is none. @pre the problem outlives this
   LatticeGraph(const Problem& problem, const LatticeOptions& options);

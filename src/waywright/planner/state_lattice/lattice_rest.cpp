@@ -32,18 +32,22 @@ std::vector<const MotionPrimitive*> least_motions(const MotionPrimitives& primit
 double LatticeRest::motion_at_least(std::uint32_t from, std::uint32_t to, const MotionPrimitive& motion) const {
   if (motion.length == 0.0) return motion.metres;
   const double required = graph_.required(), margin = graph_.margin();
-  const double half = 0.5 * motion.length / static_cast<double>(motion.between.size() + 1);
-  // Half the way to the next place the origin can have led straight away from one, half towards the other.
+  // Half the way to the next place the origin can have led straight away from one, half towards the other. The places are among the poses that the cost is summed over: between
+  // two of them the greater of both bounds is convex, so that the sum by trapezoids is no less than the integral.
   const double begin = graph_.clearance_at_most(from), end = graph_.clearance_at_most(to);
   if (begin <= margin || end <= margin) return std::numeric_limits<double>::infinity();
-  double sum = costs_.away(begin - required, half) + costs_.away(end - required, half);
   const Vec2 at = graph_.place(from);
-  for (const Vec2 offset : motion.between) {
-    const double there = graph_.clearance_at_most(at + offset);
+  double sum = 0.0, before = begin;
+  for (const MotionPrimitive::Place& place : motion.between) {
+    const double there = graph_.clearance_at_most(at + place.offset);
     if (there <= margin) return std::numeric_limits<double>::infinity();
-    sum += 2.0 * costs_.away(there - required, half);
+    sum += costs_.away(before - required, 0.5 * place.way) + costs_.away(there - required, 0.5 * place.way);
+    before = there;
   }
-  return least_factor_ * std::max(motion.metres, motion.metres / motion.length * sum * (1.0 - rounding));
+  sum += costs_.away(before - required, 0.5 * motion.last_way) + costs_.away(end - required, 0.5 * motion.last_way);
+  // Bends cost something where nothing is near, too; how much more where the danger is, nobody knows here.
+  const double each = costs_.each(motion.stretch.direction);
+  return least_factor_ * std::max(motion.metres, (each * sum + motion.metres - each * motion.length) * (1.0 - rounding));
 }
 
 LatticeRest::LatticeRest(const LatticeGraph& graph, const DangerCosts& costs, double least_factor) : graph_{graph}, costs_{costs}, least_factor_{least_factor} {

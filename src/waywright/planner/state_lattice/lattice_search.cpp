@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <queue>
 
 namespace waywright {
@@ -9,7 +10,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-constexpr int directions = 2;  // of arrival: forward, backward
+constexpr int directions = 3;  // of arrival: none yet, forward, backward
+constexpr std::size_t most_open = 30'000'000;  // motions that wait, about 1.5 GB
 constexpr std::uint32_t states_a_cell = lattice_headings * directions;
 
 /// Of one state. Memory comes in blocks, as the search spreads.
@@ -42,7 +44,7 @@ struct Entry {
   std::uint32_t from = none;
   std::uint32_t to = none;      // state; none: the goal
   std::uint32_t motion = 0;     // primitive, or motion into the goal
-  std::uint32_t order = 0;      // of entering: ties are settled the same way each time
+  std::uint64_t order = 0;      // of entering: ties are settled the same way each time
   bool is_evaluated = false;
   friend bool operator<(const Entry& a, const Entry& b) { return a.estimate != b.estimate ? a.estimate > b.estimate : a.order < b.order; }
 };
@@ -69,6 +71,7 @@ class Search {
         continue;
       }
       if (top.to == none) return found(top);
+      if (open_.size() > most_open) return ended(LatticeAnswer::End::too_many, top);
       if (most && answer_.expansions >= *most) return ended(LatticeAnswer::End::out_of_budget, top);
       Node& node = nodes_.at(top.to);
       node = {top.cost, top.from, static_cast<std::uint16_t>(top.motion), true};
@@ -80,13 +83,14 @@ class Search {
  private:
   static std::uint32_t cell_of(std::uint32_t state) { return state / states_a_cell; }
   static int heading_of(std::uint32_t state) { return static_cast<int>(state % states_a_cell / directions); }
-  static int direction_of(std::uint32_t state) { return state % directions == 0 ? 1 : -1; }
+  /// 0: it has only turned on the spot.
+  static int direction_of(std::uint32_t state) { return state % directions == 0 ? 0 : state % directions == 1 ? 1 : -1; }
   static std::uint32_t state(std::uint32_t cell, int heading, int direction) {
-    return cell * states_a_cell + static_cast<std::uint32_t>(heading) * directions + (direction < 0 ? 1 : 0);
+    return cell * states_a_cell + static_cast<std::uint32_t>(heading) * directions + (direction == 0 ? 0U : direction > 0 ? 1U : 2U);
   }
 
   /// What it costs to go on this way.
-  double changing(std::uint32_t from, int direction) const { return from == start_ || direction == 0 || direction == direction_of(from) ? 0.0 : cost_.costs().change; }
+  double changing(std::uint32_t from, int direction) const { return direction_of(from) == 0 || direction == 0 || direction == direction_of(from) ? 0.0 : cost_.costs().change; }
 
   void push(Entry e, std::uint32_t cell_at_end) {
     e.order = entered_++;
@@ -106,9 +110,11 @@ class Search {
       const auto there = graph_.moved(cell, p.step);
       if (!there) continue;
       const std::uint32_t to = state(*there, p.to, direction == 0 ? direction_of(at) : direction);
-      if (nodes_.at(to).is_closed) continue;
       const double least = rest_.motion_at_least(cell, *there, p);
-      push({0.0, so_far + changing(at, direction) + least, at, to, i}, *there);
+      const double cost = so_far + changing(at, direction) + least;
+      // Closed, or reached for less by a motion that was looked at.
+      if (!(cost < infinity) || nodes_.at(to).cost <= cost) continue;
+      push({0.0, cost, at, to, i}, *there);
     }
     const auto [begin, end] = graph_.goal_motions_of(cell);
     for (std::size_t i = begin; i < end; ++i) {
@@ -141,12 +147,18 @@ class Search {
     if (!cost) return;
     e.cost = nodes_.at(e.from).cost + changing(e.from, direction) + *cost;
     e.is_evaluated = true;
+    if (e.to != none) {
+      Node& node = nodes_.at(e.to);
+      if (node.cost <= e.cost) return;
+      node.cost = e.cost;
+    }
     push(e, e.to == none ? 0 : cell_of(e.to));
   }
 
   std::optional<double> cost_of(std::uint32_t cell, const MotionPrimitive& p) {
     const Vec2 at = graph_.place(cell);
-    if (!cost_.heeds_zones() && graph_.distance_at_least(at + p.middle) - p.reach - cost_.radius() >= cost_.no_danger_from()) return p.metres;
+    const bool is_open = graph_.distance_at_least(at + p.middle) - p.reach - cost_.radius() >= cost_.no_danger_from();
+    if (is_open && !(cost_.heeds_zones() && cost_.zones_near(at + p.middle, p.reach))) return p.metres;
     return cost_.of(p.poses, at, [&] { return cost_.is_free(graph_.stretch(cell, p)); });
   }
 
@@ -180,7 +192,8 @@ class Search {
   Budget& budget_;
   Nodes nodes_;
   std::priority_queue<Entry> open_;
-  std::uint32_t start_ = 0, entered_ = 0;
+  std::uint32_t start_ = 0;
+  std::uint64_t entered_ = 0;
   LatticeAnswer answer_;
 };
 

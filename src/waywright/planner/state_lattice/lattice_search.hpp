@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "waywright/core/budget.hpp"
@@ -11,7 +10,7 @@
 namespace waywright {
 
 struct LatticeAnswer {
-  enum class End { found, exhausted, out_of_budget, canceled, timed_out };
+  enum class End { found, exhausted, out_of_budget, canceled, timed_out, too_many };
   End ended = End::exhausted;
   double cost = 0.0;         ///< of the way found
   double lower_bound = 0.0;  ///< no way over the lattice costs less

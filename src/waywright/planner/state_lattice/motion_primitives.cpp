@@ -4,14 +4,12 @@
 #include <cmath>
 #include <optional>
 
-#include "waywright/curve/clothoid.hpp"
-
 namespace waywright {
 namespace {
 
 constexpr int most_headings_turned = 4;     // 90°, near enough
 constexpr double most_askew = 0.35;         // rad, between the chord and the one of an arc
-constexpr int most_cells = 400;             // of a primitive's chord
+constexpr int most_cells = 800;             // of a primitive's chord
 constexpr double widest_search = 3.0;       // times the least chord that there can be
 constexpr double apart = 1.5;                // cells, between places of a way that are looked at to bound its cost
 constexpr int lattice_quarter = lattice_headings / 4;
@@ -84,18 +82,16 @@ Found turned_quarters(const Found& found, int quarters) {
   return out;
 }
 
-/// Places at equal distances of at most `apart` m along a stretch from (0, 0), without its ends.
-std::vector<Vec2> places_between(const Stretch& stretch, double apart_at_most, const Frame& axes) {
-  const double length = length_of(stretch);
-  const int n = static_cast<int>(std::ceil(length / apart_at_most));
-  std::vector<Vec2> places;
-  for (int k = 1; k < n; ++k) {
-    double s = length * k / n;
-    std::size_t i = 0;
-    while (i + 1 < stretch.curves.size() && s > stretch.curves[i].length) s -= stretch.curves[i++].length;
-    places.push_back(axes.to_world(evaluate(stretch.curves[i], s).position));
+/// Some of the poses, at least so far apart.
+void choose_places(MotionPrimitive& p, double apart_at_least) {
+  double way = 0.0;
+  for (std::size_t i = 1; i < p.poses.size(); ++i) {
+    way += p.poses[i].way;
+    if (way < apart_at_least || i + 1 == p.poses.size()) continue;
+    p.between.push_back({p.poses[i].offset, way});
+    way = 0.0;
   }
-  return places;
+  p.last_way = way;
 }
 
 }  // namespace
@@ -119,11 +115,12 @@ MotionPrimitives motion_primitives(const PrimitiveOptions& options, const Motion
     p.metres = cost.costs().metres_of(p.stretch);
     p.middle = p.poses[p.poses.size() / 2].offset;
     for (const CostedPose& pose : p.poses) p.reach = std::max(p.reach, distance(pose.offset, p.middle) + pose.sweep);
-    p.between = places_between(p.stretch, apart * options.cell, axes);
+    choose_places(p, apart * options.cell);
     all[static_cast<std::size_t>(heading)].push_back(std::move(p));
   };
   const auto add_both_ways = [&](int course, int to_course, const Found& found) {
-    add(course, found.step, to_course, Stretch{1, found.curves, {}});
+    if (length_of(Stretch{1, found.curves, {}}) > options.longest) return;
+    if (options.may_forward) add(course, found.step, to_course, Stretch{1, found.curves, {}});
     if (options.may_reverse) add(other_way(course), found.step, other_way(to_course), Stretch{-1, found.curves, {}});
   };
   for (int from = 0; from < lattice_quarter; ++from) {

@@ -29,7 +29,13 @@ struct MotionPrimitive {
   double length = 0.0;     ///< m
   Vec2 middle{};           ///< m, in world axes
   double reach = 0.0;      ///< m, no origin on the way is farther from there
-  std::vector<Vec2> between;  ///< m, in world axes: where the origin is at equal distances of the way, without the ends
+  /// Some of the poses, in world axes, without the ends; `way` from the one before, m.
+  struct Place {
+    Vec2 offset{};
+    double way = 0.0;
+  };
+  std::vector<Place> between;
+  double last_way = 0.0;      ///< m, from the last of them to the end
   std::vector<CostedPose> poses;
 };
 
@@ -37,7 +43,8 @@ struct PrimitiveOptions {
   double cell = 0.2;          ///< m
   BendLimits limits;
   bool may_turn = false;      ///< on the spot
-  bool may_reverse = true;
+  bool may_forward = true, may_reverse = true;
+  double longest = 0.0;       ///< m: a longer one would not fit the lattice
   double turn_frame = 0.0;    ///< rad, the lattice's heading in the world
 };
 

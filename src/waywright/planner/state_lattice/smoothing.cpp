@@ -17,6 +17,7 @@ constexpr double farthest_join = 60.0;  // m
 constexpr std::size_t each_ahead = 16;  // places that are all tried; farther ones ever more sparsely
 constexpr int most_rounds = 8;
 constexpr double first_move = 0.16, last_move = 0.01;  // m
+constexpr double no_dearer = 1e-12;                     // m, rounding
 constexpr double worthwhile = 1e-4;                     // m of cost that a change has to save
 
 
@@ -100,7 +101,7 @@ class Smoother {
     best[0] = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
       // As it is. What could not be seen to be free at finer steps stays: the lattice has proven it.
-      const double as_is = parts[i].cost < infinity ? parts[i].cost : length_of(parts[i].stretch);
+      const double as_is = parts[i].cost < infinity ? parts[i].cost : (1.0 + cost_.costs().weight) * cost_.costs().metres_of(parts[i].stretch);
       if (best[i] + as_is < best[i + 1]) {
         best[i + 1] = best[i] + as_is;
         by[i + 1] = parts[i];
@@ -216,7 +217,7 @@ class Smoother {
     auto curves = fitted_within(first.start, first.curvature, end_course(last), end_curvature(last), limits_);
     if (curves.empty()) return false;
     Part part{Stretch{a.stretch.direction, std::move(curves), {}}, 0.0};
-    const auto cost = evaluated(part.stretch, a.cost + b.cost + worthwhile);
+    const auto cost = evaluated(part.stretch, a.cost + b.cost + no_dearer);
     if (!cost) return false;
     part.cost = *cost;
     parts[i] = std::move(part);
@@ -251,9 +252,10 @@ Smoothed smoothed(const std::vector<Stretch>& way, MotionCost& cost, const BendL
   out.stretches = smoother.run(way);
   out.cost = cost_of(out.stretches, cost);
   out.evaluations = smoother.evaluations();
-  if (!(out.cost <= cost_of(way, cost))) {
+  const double as_it_was = cost_of(way, cost);
+  if (!(out.cost <= as_it_was) || !std::isfinite(out.cost)) {
     out.stretches = way;
-    out.cost = cost_of(way, cost);
+    out.cost = as_it_was;
   }
   return out;
 }

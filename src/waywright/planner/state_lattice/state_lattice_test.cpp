@@ -89,7 +89,7 @@ double exhaustive(const LatticeGraph& graph, MotionCost& cost) {
           for (int arrival = 0; arrival < 3; ++arrival) {
             const double before = best[state(cell, h, arrival)];
             if (before == infinity) continue;
-            const int after = direction == 0 ? std::max(arrival, 1) : direction > 0 ? 1 : 2;
+            const int after = direction == 0 ? arrival : direction > 0 ? 1 : 2;
             const double change = arrival == 0 || direction == 0 || after == arrival ? 0.0 : cost.costs().change;
             double& there = best[state(*graph.moved(cell, primitives[i].step), primitives[i].to, after)];
             if (before + *motions[i] + change < there - 1e-12) {
@@ -158,6 +158,7 @@ TEST(LatticeSearch, FindsTheOptimumOfItsGraph) {
     options.may_reverse = i % 5 != 0;
     options.costs.weight = i % 4 == 1 ? 0.0 : random.uniform(0.0, 20.0);
     options.costs.range = random.uniform(0.1, 1.0);
+    options.bend_share = i % 3 == 1 ? random.uniform(0.0, 100.0) : 0.2;
     const LatticeGraph graph{problem, options};
     ASSERT_TRUE(graph.refused().empty()) << graph.refused();
     MotionCost cost{problem, graph.options().costs, graph.margin()};
@@ -204,7 +205,9 @@ TEST(LatticeRest, IsConsistentWithEveryMotion) {
     if (i % 2 == 1) add_zones(hall, random);
     const Problem problem = Problem::prepare(hall).value();
     LatticeOptions options = coarse();
-    options.costs.weight = random.uniform(1.0, 20.0);
+    options.costs.weight = i % 3 == 0 ? 100.0 : random.uniform(1.0, 20.0);
+    options.costs.range = random.uniform(0.1, 0.8);
+    options.bend_share = i % 2 == 0 ? random.uniform(0.0, 100.0) : 0.2;
     const LatticeGraph graph{problem, options};
     MotionCost cost{problem, graph.options().costs, graph.margin()};
     const LatticeRest rest = rest_of(graph, cost);

@@ -10,7 +10,6 @@ namespace waywright {
 namespace {
 
 constexpr double within = 1.0 - 1e-9;  // of a limit: what rounding may add on the way into the path
-constexpr double longest = 2.2;        // chords: what is longer winds
 constexpr double in_line = 1e-12;      // rad
 
 double facing(double course, int direction) { return wrap(direction < 0 ? course + pi : course); }
@@ -104,7 +103,7 @@ std::vector<Clothoid> fitted_within(const Pose& from, double from_curvature, con
   std::vector<Clothoid> curves(triple->begin(), triple->end());
   double sum = 0.0;
   for (const Clothoid& c : curves) sum += c.length;
-  if (!(sum <= longest * far) || !are_within(curves, limits)) return {};
+  if (!(sum <= longest_fit * far) || !are_within(curves, limits)) return {};
   return curves;
 }
 

@@ -33,6 +33,8 @@ struct BendLimits {
 };
 bool are_within(const std::vector<Clothoid>& curves, const BendLimits& limits);
 
+/// Chords: what is longer winds.
+inline constexpr double longest_fit = 2.2;
 /// Three clothoids from one course to another (two that are in line: straight), curvature continuous, within the limits and without loops; empty where there are none.
 std::vector<Clothoid> fitted_within(const Pose& from, double from_curvature, const Pose& to, double to_curvature, const BendLimits& limits);
 
