@@ -422,7 +422,7 @@ TEST_F(CommandLine, BadScenariosAreOneSentenceThatNamesTheField) {
       {"map file", [](Json& j) { j["map"] = {{"ros", "x.yaml"}}; }, {"x.yaml", "no such file"}},
       {"vehicle file", [](Json& j) { j["vehicle"] = "gone.json"; }, {"s.json: vehicle: gone.json", "no such file"}},
       {"overlay file", [](Json& j) { j["map"]["overlay"] = {{{"ros", "gone.yaml"}}}; }, {"s.json: map.overlay[0].ros: gone.yaml", "no such file"}},
-      {"legs", [](Json& j) { j.erase("station"); j["legs"] = Json::array(); }, {"legs", "not supported yet"}},
+      {"legs", [](Json& j) { j.erase("station"); j["legs"] = Json::array(); }, {"legs", "there is none"}},
       {"station smaller than shelf", [](Json& j) { j["station"]["area"] = {{0, 6}, {2, 6}, {2, 8}, {0, 8}}; }, {"station.shelf", "2.00 × 2.00 m"}},
       {"align", [](Json& j) { j["map"]["align"] = {{{0, 0}, {1, 1}}}; }, {"align", "two pairs"}},
   };

@@ -180,7 +180,7 @@ TEST_F(MissionOnTheCommandLine, OnePlanFileAndOneReportForTheWhole) {
 TEST_F(MissionOnTheCommandLine, ASiteMayHaveSuchMissions) {
   const auto o = run("check " + write(mission()) + " -o site");
   EXPECT_EQ(o.status, 0) << o.out << o.err;
-  EXPECT_NE(o.out.find("1 places: 1 solved and proven"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("1 place: 1 solved and proven"), std::string::npos) << o.out;
   EXPECT_NE(run("check s.json -o site").out.find("1 taken over, 0 planned"), std::string::npos);
 }
 

@@ -58,10 +58,9 @@ SmallPicture small_picture(const Plan& plan) { return mission_small_picture(plan
 std::string report_html(const Plan& plan) {
   const std::vector<LegView> legs = leg_views(plan, true);
   PageParts parts;
-  parts.picture = mission_scene_html(plan, legs, picture_width);
+  parts.picture = mission_scene_html(plan, legs, picture_width) + legs_table(plan);
   parts.charts = charts(plan, legs);
-  parts.side = legs_table(plan);
-  if (!plan.samples.empty()) parts.side += "<h2>Figures of the whole</h2>\n" + metric_table(plan) + proof_html(plan);
+  if (!plan.samples.empty()) parts.side = "<h2>Figures of the whole</h2>\n" + metric_table(plan) + proof_html(plan);
   parts.side += why(plan);
   parts.below = alternatives_table(plan);
   parts.scenario = scenario_table(plan);

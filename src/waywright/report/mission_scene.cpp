@@ -195,12 +195,24 @@ class MissionScene {
     for (const End& end : ends) draw_vehicle(svg_, *end.footprint, end.pose, end.name.c_str());
   }
 
+  /// In the middle of the leg, or where fewer of the numbers before it are near.
   void draw_number(std::size_t i) {
     const std::vector<Sample>& samples = legs_[i].samples;
     if (samples.size() < 2) return;
-    const auto middle = std::find_if(samples.begin(), samples.end(), [&](const Sample& s) { return s.s >= 0.5 * samples.back().s; });
-    const Vec2 at = canvas_.view(middle->pose().position());
-    svg_.raw(badge(i, at.x, at.y) + "\n");
+    constexpr double enough = 30.0;  // px between two
+    Vec2 best{};
+    double farthest = -1.0;
+    for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8}) {
+      const auto there = std::find_if(samples.begin(), samples.end(), [&](const Sample& s) { return s.s >= share * samples.back().s; });
+      const Vec2 at = canvas_.view(there->pose().position());
+      double nearest = enough;
+      for (const Vec2 other : numbers_) nearest = std::min(nearest, distance(at, other));
+      if (nearest <= farthest) continue;
+      farthest = nearest;
+      best = at;
+    }
+    numbers_.push_back(best);
+    svg_.raw(badge(i, best.x, best.y) + "\n");
   }
 
   void draw_spots(bool is_small) {
@@ -231,6 +243,7 @@ class MissionScene {
   const std::vector<LegView>& legs_;
   Canvas canvas_;
   SvgWriter svg_;
+  std::vector<Vec2> numbers_;  ///< px, where the legs' numbers stand
   bool numbered_ = false, stations_ = false, regions_ = false, loads_ = false, turns_ = false, waypoints_ = false, blocked_ = false, tight_ = false, spots_ = false;
 };
 

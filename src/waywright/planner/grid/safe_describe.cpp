@@ -36,6 +36,7 @@ PlannerDescription description(const char* name, const char* summary, PublishedM
                        }};
   d.counts_expansions = true;
   d.heeds_zones = [](const Parameters& p) { return std::get<std::string>(p.at("form")) == "corrected"; };
+  d.takes_free_goals = method == PublishedMethod::danger;  // the others aim at a point from the beginning
   return d;
 }
 
