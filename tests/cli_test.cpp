@@ -403,7 +403,7 @@ TEST_F(CommandLine, BadScenariosAreOneSentenceThatNamesTheField) {
       {"gap", [](Json& j) { j["clearance"] = 0.2; }, {"station.shelf.gap", "clearance"}},
       {"small station", [](Json& j) { j["station"]["area"] = {{0, 6.7}, {12, 6.7}, {12, 7.3}, {0, 7.3}}; j["station"]["shelf"]["size"] = {1.2, 0.4}; }, {"station.area", "wide"}},
       {"two missions", [](Json& j) { j["goal"] = {1, 2, 3}; }, {"more than one mission"}},
-      {"no mission", [](Json& j) { j.erase("station"); }, {"mission is missing", "goal, station)"}},
+      {"no mission", [](Json& j) { j.erase("station"); }, {"mission is missing", "goal, station, legs)"}},
       {"waypoints", [](Json& j) { j["waypoints"] = {{1, 2}}; }, {"waypoints", "beside a station"}},
       {"zones", [](Json& j) { j["zones"] = {{{"type", "forbidden"}}}; }, {"zones[0].area", "missing", "array of points"}},
       {"factor", [](Json& j) { j["zones"] = {{{"type", "penalty"}, {"area", {{0, 0}, {1, 0}, {1, 1}}}, {"factor", 0}}}; }, {"zones[0].factor", "0 is out of range", "1 to 1000"}},
