@@ -83,7 +83,6 @@ TEST(FreeGoal, DangerIsTradedOnTheWayToItToo) {
   EXPECT_NE(point.path.pieces.back().direction, 0);
   s.mission = region({5.0, 0.0}, {9.0, 9.0});
   const Plan far = solved(s);
-  // The walls' danger reaches 1.5 m: straight along the wall would cost more than the 0.41 m that leaving it takes.
   EXPECT_NEAR(far.samples.back().x, 5.5, 1e-9);
   EXPECT_GE(far.metrics.length, 4.0 - 1e-9);
   s.planner.parameters["form"] = std::string{"published"};

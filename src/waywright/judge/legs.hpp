@@ -30,6 +30,10 @@ std::string leg_headline(const Scenario& mission, const std::vector<LegResult>& 
 /// its legs: a part is missing, or left over.
 std::optional<std::vector<Plan>> parts_of(const Plan& plan);
 
+/// verify() of such a part, before which so many metres and seconds lie: its s and t have gone through a sum with these, and are taken as the
+/// fresh ones where they differ from them by no more than that rounds. (From standing a step's time goes with the root of its length.)
+Verification verify_part(const Problem& problem, Plan part, double s_before, double t_before);
+
 /// verify() of a plan with legs.
 Parsed<Verification> verify_legs(const Plan& plan);
 

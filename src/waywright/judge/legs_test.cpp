@@ -256,6 +256,21 @@ TEST(Legs, VerifyHoldsAndFindsEachFalsification) {
   }
 }
 
+/// Kilometres and hours on, s and t have fewer digits left for a leg's first steps from rest.
+TEST(Legs, ALegFarDownTheMissionVerifiesToo) {
+  Scenario s;
+  s.vehicle = robot();
+  s.start = {0.1, 0.0, 0.0};
+  s.legs = {leg_to({9000.3, 0.0, 0.0}), leg_to({9014.37, 0.0, 0.0})};
+  const Plan plan = joined(s, {Path{{{Line{{0.1, 0.0}, {9000.3, 0.0}}, 1}}}, Path{{{Line{{9000.3, 0.0}, {9014.37, 0.0}}, 1}}}});
+  ASSERT_EQ(plan.status, Status::solved) << plan.reason;
+  const auto honest = verify(plan).value();
+  EXPECT_TRUE(honest.holds) << honest.findings.front();
+  Plan faster = plan;
+  for (std::size_t i = plan.legs[0].samples + 1; i < plan.samples.size(); ++i) faster.samples[i].t -= 0.01;
+  EXPECT_FALSE(verify(faster).value().holds);
+}
+
 TEST(Legs, ALegThatIsNotProvenMakesTheWholeUnproven) {
   Scenario s = mission();
   s.map.points = {{3.55, 2.0}};  // beside the disc, inside of the crate's way

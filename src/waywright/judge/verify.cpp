@@ -1,12 +1,29 @@
 // A plan file's claims held against a fresh proof of its own curves.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "waywright/judge/claims.hpp"
 #include "waywright/judge/judge.hpp"
 #include "waywright/judge/legs.hpp"
 #include "waywright/judge/zone_speeds.hpp"
 
 namespace waywright {
+
+namespace {
+
+/// A column of claims as the fresh one has it, where they differ by no more than a sum with `before` rounds. @pre the fresh column does not fall
+void take_fresh(std::vector<Sample>& claimed, const std::vector<Sample>& fresh, double Sample::*column, double before) {
+  if (!(before > 0.0)) return;
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * (before + fresh.back().*column);
+  for (Sample& sample : claimed) {
+    const auto from = std::lower_bound(fresh.begin(), fresh.end(), sample.*column - rounding, [&](const Sample& s, double value) { return s.*column < value; });
+    if (from != fresh.end() && (*from).*column <= sample.*column + rounding) sample.*column = (*from).*column;
+  }
+}
+
+}  // namespace
 
 Parsed<Verification> verify(const Plan& plan) {
   if (!plan.scenario.legs.empty()) return verify_legs(plan);
@@ -19,7 +36,9 @@ Parsed<Verification> verify(const Plan& plan) {
   return verify(*problem, plan);
 }
 
-Verification verify(const Problem& problem, const Plan& plan) {
+Verification verify(const Problem& problem, const Plan& plan) { return verify_part(problem, plan, 0.0, 0.0); }
+
+Verification verify_part(const Problem& problem, Plan plan, double s_before, double t_before) {
   Verification verification;
   if (plan.path.pieces.empty()) {
     verification.fresh = failed_plan(problem, {plan.status, plan.reason, {}, {}});
@@ -42,6 +61,8 @@ Verification verify(const Problem& problem, const Plan& plan) {
       for (const Sample& s : plan.samples) speeds.push_back({s.pose(), s.speed});
     }
     if (auto too_fast = check_zone_speeds(problem, speeds)) findings.push_back(std::move(*too_fast));
+    take_fresh(plan.samples, fresh.samples, &Sample::s, s_before);
+    take_fresh(plan.samples, fresh.samples, &Sample::t, t_before);
     check_claimed_samples(plan.samples, fresh.samples, problem.vehicle(), problem.footprint().radius(), fresh.certificate.tolerance, findings);
     check_claimed_metrics(plan, fresh, findings);
   }

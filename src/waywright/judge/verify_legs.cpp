@@ -70,7 +70,8 @@ Parsed<Verification> verify_legs(const Plan& plan) {
     auto problem = prepare_leg(mission, begin, of_map);
     if (!problem) return refuse(problem.error());
     const auto find = [&](const std::string& what) { findings.push_back(fmt::format("{}: {}", leg_label(mission, i), what)); };
-    Verification of_leg = verify(*problem, (*parts)[i]);
+    const Sample before = first_sample > 0 ? plan.samples[first_sample - 1] : Sample{};
+    Verification of_leg = verify_part(*problem, (*parts)[i], before.s, before.t);
     for (const std::string& finding : of_leg.findings) find(finding);
     const Pose end = end_of(*problem, (*parts)[i].path);
     check_record(plan.legs[i], begin, mission.legs[i], end, find);

@@ -30,8 +30,10 @@ class MissionScene {
     map_alone.map = mission.map;
     numbered_ = draw_map(svg_, map_alone, canvas_.region, !is_small);
     for (const Leg& leg : mission.legs) draw_place_of(leg);
-    for (const LegView& leg : legs_) draw_sweep(svg_, leg.footprint, leg.samples);
-    for (const LegView& leg : legs_) draw_load(leg);
+    if (!is_long()) {
+      for (const LegView& leg : legs_) draw_sweep(svg_, leg.footprint, leg.samples);
+      for (const LegView& leg : legs_) draw_load(leg);
+    }
     for (std::size_t i = 0; i < legs_.size(); ++i) draw_under(i);
     for (const LegView& leg : legs_) draw_path(svg_, leg.samples);
     if (!is_small) {
@@ -58,7 +60,8 @@ class MissionScene {
     };
     if (drives(1)) entries.push_back({"fwd", Shape::line, "forwards"});
     if (drives(-1)) entries.push_back({"back", Shape::line, "backwards"});
-    entries.push_back({"sweep", Shape::box, "swept by the footprint"});
+    if (is_long()) entries.push_back({"", Shape::none, "so long a way is drawn without what is swept"});
+    else entries.push_back({"sweep", Shape::box, "swept by the footprint"});
     if (loads_) entries.push_back({"load", Shape::box, "load, where it is carried"});
     if (turns_) entries.push_back({"stop", Shape::square, "change between forwards and backwards"});
     if (waypoints_) entries.push_back({"waypoint", Shape::dot, "waypoints of a leg, in order"});
@@ -94,6 +97,14 @@ class MissionScene {
   SvgWriter& svg() { return svg_; }
 
  private:
+  /// Footprints along kilometres make pictures that nobody can open.
+  bool is_long() const {
+    constexpr std::size_t most_samples_swept = 40'000;
+    std::size_t samples = 0;
+    for (const LegView& leg : legs_) samples += leg.samples.size();
+    return samples > most_samples_swept;
+  }
+
   std::vector<Vec2> seen() const {
     std::vector<Vec2> points;
     const auto add = [&](const Ring& ring) { points.insert(points.end(), ring.begin(), ring.end()); };
