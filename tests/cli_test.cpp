@@ -398,7 +398,7 @@ TEST_F(CommandLine, BadScenariosAreOneSentenceThatNamesTheField) {
       {"gap", [](Json& j) { j["clearance"] = 0.2; }, {"station.shelf.gap", "clearance"}},
       {"small station", [](Json& j) { j["station"]["area"] = {{0, 6.7}, {12, 6.7}, {12, 7.3}, {0, 7.3}}; j["station"]["shelf"]["size"] = {1.2, 0.4}; }, {"station.area", "wide"}},
       {"two missions", [](Json& j) { j["goal"] = {1, 2, 3}; }, {"more than one mission"}},
-      {"no mission", [](Json& j) { j.erase("station"); }, {"mission is missing", "goal, station)"}},
+      {"no mission", [](Json& j) { j.erase("station"); }, {"mission is missing", "goal, station, legs)"}},
       {"waypoints", [](Json& j) { j["waypoints"] = {{1, 2}}; }, {"waypoints", "beside a station"}},
       {"zones", [](Json& j) { j["zones"] = {{{"type", "forbidden"}}}; }, {"zones", "not supported yet"}},
       {"undock", [](Json& j) { j["station"]["manoeuvre"] = "undok"; }, {"undok", "undock"}},
