@@ -202,6 +202,8 @@ TEST(BadPlan, EveryFieldIsRefusedWithItsSentence) {
       {"/reason", R"(0)", R"(reason: it is a number (allowed: text))"},
       {"/reproducible", R"("yes")", R"(reproducible: it is text (allowed: true or false))"},
       {"/verdict", R"(true)", R"(verdict: unknown field (allowed: format, version, status, reason, reproducible, scenario, planner, seed, timing, effort, legs, path, metrics, certificate, explanation, meta))"},
+      {"/legs", R"([{}])", R"(legs: there are 1 (allowed: no such field, as the scenario has no legs))"},
+      {"/legs", R"({})", R"(legs: it is an object (allowed: an array))"},
       {"/scenario", R"()", R"(scenario: the field is missing (allowed: an object))"},
       {"/scenario/clearance", R"(-1)", R"(scenario.clearance: -1 is out of range (allowed: 0 to 1000))"},
       {"/scenario/format", R"("waywright-scenario/2")", R"(scenario.format: "waywright-scenario/2" was written by a newer version; this one reads /1 (allowed: waywright-scenario/1))"},
