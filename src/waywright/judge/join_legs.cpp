@@ -171,6 +171,10 @@ Plan join_legs(const Scenario& mission, std::vector<JudgedLeg> legs) {
     if (!is_measured) plan.samples.clear();
     append_path(all, std::move(plan));
   }
+  for (std::size_t i = 0; i + 1 < all.legs.size(); ++i) {
+    if (all.legs[i].load.empty() || !mission.legs[i].load || *mission.legs[i].load == all.legs[i].load) continue;
+    all.explanation.push_back(fmt::format("The load \"{}\", left where leg {} ends, is no obstacle to the legs after it: they are proven against the map, which does not show it.", all.legs[i].load, i + 1));
+  }
   return all;
 }
 

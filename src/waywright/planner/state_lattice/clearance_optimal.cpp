@@ -24,10 +24,10 @@ bool is_same_pose(const Pose& a, const Pose& b) {
   return distance(a.position(), b.position()) <= proof.position_tolerance && std::abs(shorter_turn(a.heading, b.heading)) <= proof.heading_tolerance;
 }
 
-/// "2.31 % under", of the bound; "0 over" where there is nothing to compare with.
+/// "2.31 % less than".
 std::string against(double cost, double bound) {
-  if (!(bound > 0.0)) return fmt::format("{:.4f} m over", cost - bound);
-  return fmt::format("{:.2f} % {}", 100.0 * std::abs(cost / bound - 1.0), cost <= bound ? "under" : "over");
+  if (!(bound > 0.0)) return fmt::format("{:.4f} m more than", cost - bound);
+  return fmt::format("{:.2f} % {} than", 100.0 * std::abs(cost / bound - 1.0), cost <= bound ? "less" : "more");
 }
 
 }  // namespace
@@ -89,20 +89,22 @@ class ClearanceOptimalPlanner::Ready {
     const double metres = length(planned.path), straight = distance(problem_.start().position(), problem_.goal().position());
     std::vector<std::string>& text = planned.explanation;
     text.push_back(fmt::format("A metre costs 1 + {:g}·(1 − c/{:g} m)² where the whole footprint's exact clearance is c more than required, and 1 from {:g} m on; a metre backwards {:g} times that, "
-                               "one at the sharpest bend {:g} times more, a change of direction {:g} m{}.",
-                               c.weight, c.range, c.range, options.lattice.costs.reverse, options.lattice.bend_share, c.change, graph_.options().may_turn ? fmt::format(", a radian on the spot {:g} m", c.turn) : std::string{}));
+                               "one at the sharpest bend {:g} times that, a change of direction {:g} m{}.",
+                               c.weight, c.range, c.range, options.lattice.costs.reverse, 1.0 + options.lattice.bend_share, c.change, graph_.options().may_turn ? fmt::format(", a radian on the spot {:g} m", c.turn) : std::string{}));
     text.push_back(fmt::format("Over a lattice of {} x {} cells of {:g} m with {} headings, and motions of bends up to {:.3f} 1/m that begin and end straight, {} costs {:.4f} m; {}. {} and {} asked for their clearance.",
                                graph_.columns(), graph_.rows(), graph_.cell(), lattice_headings, graph_.limits().curvature, options.gap > 0.0 ? "a way" : "the best way", answer.cost,
-                               options.gap > 0.0 ? fmt::format("no way over it costs less than {:.4f} m, which it is {}", answer.lower_bound, against(answer.cost, answer.lower_bound))
+                               options.gap > 0.0 ? fmt::format("it is at most {} any way over it, none of which costs less than {:.4f} m", against(answer.cost, answer.lower_bound), answer.lower_bound)
                                                  : std::string{"no way over it costs less"},
                                counted(answer.expansions, "expansion"), counted(answer.motions, "motion")));
     if (options.smooth) {
-      text.push_back(fmt::format("Smoothed off the lattice it costs {:.4f} m, {} the lattice's bound ({}); measured every {:g} cm the lattice's own way costs {:.4f} m.", way.cost,
+      text.push_back(fmt::format("Smoothed off the lattice, to where small changes save nothing more, it costs {:.4f} m, {} what no way over the lattice can cost less than ({}); measured every {:g} cm the lattice's own way costs {:.4f} m.", way.cost,
                                  against(way.cost, answer.lower_bound), counted(way.evaluations, "motion") + " tried", 100.0 * fine_step,
                                  of_lattice));
     }
-    text.push_back(fmt::format("It is {:.3f} m long, {:.3f} m of its cost are danger, bends and manoeuvres; the straight line from start to goal is {:.3f} m.", metres, way.cost - metres, straight));
-    if (cost.heeds_zones()) text.push_back("A metre in preferred and penalty zones costs its factor times that, and no motion goes against the direction of a zone.");
+    text.push_back(fmt::format("It is {:.3f} m long; danger, bends{} and manoeuvres make {:+.3f} m of cost on top of that. The straight line from start to goal is {:.3f} m.", metres,
+                               problem_.zones().weighs() ? ", zones" : "", way.cost - metres, straight));
+    if (problem_.zones().weighs()) text.push_back("A metre in preferred and penalty zones costs its factor times that.");
+    if (problem_.zones().directs()) text.push_back("No motion goes against the direction of a zone.");
     Alternative lattice{"best way over the lattice", !options.smooth, of_lattice, fmt::format("Costs {:.4f} m and is bound to the lattice's cells and headings.", of_lattice), {}, {}};
     for (const Stretch& s : answer.stretches) {
       std::vector<SteppedPose> poses;
