@@ -180,6 +180,17 @@ TEST(FreeGoal, WhatCannotBeReachedIsToldInOneSentence) {
   EXPECT_EQ(reason(shut).rfind("no way over cells of 1 m leads from start to goal", 0), 0U) << reason(shut);
 }
 
+TEST(FreeGoal, APointThatNothingFitsAtIsToldLikeAPose) {
+  Scenario s = hall(FreeGoal{{{6.5, 1.5}}});
+  s.map.obstacles.push_back(rectangle({6.0, 1.0}, {7.0, 2.0}));
+  Plan plan = solve(Problem::prepare(s).value()).value();
+  EXPECT_EQ(plan.status, Status::goal_in_collision) << plan.reason;
+  EXPECT_EQ(plan.effort.expansions, 0);
+  s = hall(FreeGoal{{{-3.0, 1.5}}});
+  plan = solve(Problem::prepare(s).value()).value();
+  EXPECT_EQ(plan.status, Status::goal_outside) << plan.reason;
+}
+
 TEST(FreeGoal, OtherPlannersRefuseItAndSayWhoDoesNot) {
   for (const PlannerDescription& planner : planners()) {
     const auto taken = check_mission(planner.name, hall(FreeGoal{{{6.5, 1.5}}}));

@@ -274,7 +274,14 @@ std::optional<Failure> Problem::check_motion() const {
 std::optional<Failure> Problem::check_ends() const {
   const double required = required_clearance();
   for (const bool is_start : {true, false}) {
-    if (!is_start && free_goal() != nullptr) break;  // whether one of many poses is free, the search finds
+    if (!is_start && free_goal() != nullptr) {
+      // Whether one of many poses is free, the search finds; not where not even the largest disc in the footprint is, whatever it faces.
+      const Footprint inside{{}, footprint_.inner_radius()};
+      if (!free_goal()->is_point() || !(inside.disc > 0.0)) break;
+      const Contact contact = world_.clearance(inside, goal(), required + 1.0);
+      if (contact.clearance == 0.0 || contact.clearance < required - 1e-9) return end_failure(world_, contact, goal(), false, required);
+      break;
+    }
     const Pose& pose = is_start ? scenario_.start : goal();
     const Contact contact = world_.clearance(footprint_, pose, required + 1.0);
     if (contact.clearance == 0.0 || contact.clearance < required - 1e-9) {  // rounding of the distance itself
