@@ -276,6 +276,38 @@ TEST(ClearanceOptimal, KeepsToTheDirectionOfZones) {
   EXPECT_NEAR(planned(s).metrics.length, 8.0, 1e-6);
 }
 
+// The way out of a station is planned as the way in and driven back: zones hold for how it is driven.
+TEST(ClearanceOptimal, ZonesHoldForWaysThatAreDrivenBack) {
+  Scenario s = read_scenario((root / "examples" / "undock_loaded.json").string()).value();
+  const Plan without = planned(s);
+  ASSERT_EQ(without.status, Status::solved) << without.reason;
+  for (const double direction : {0.0, pi}) {
+    s.zones = {zone(ZoneType::directed, rectangle({4, 5}, {6, 9}), direction)};
+    const Plan plan = planned(s);
+    EXPECT_EQ(plan.status, Status::solved) << direction << ": " << plan.reason;
+  }
+}
+
+// A footprint far before its origin: the disc about the origin says nothing of what it needs.
+TEST(ClearanceOptimal, FootprintsMayLieBesideTheirOrigin) {
+  Scenario s = open_hall();
+  s.vehicle.footprint = {{{0.8, -0.2}, {1.6, -0.2}, {1.6, 0.2}, {0.8, 0.2}}, 0.0};
+  s.clearance = 0.2;
+  s.start = {0.1, 0, 0};
+  s.mission = Pose{6, 1, 0};
+  const Plan plan = planned(s);
+  EXPECT_EQ(plan.status, Status::solved) << plan.reason;
+}
+
+// The goal has half a millimetre more than is required: the margin of the ends is that of the proof.
+TEST(ClearanceOptimal, EndsMayBeAsTightAsTheProofAllows) {
+  Scenario s = open_hall();
+  s.clearance = 0.05;
+  s.mission = Pose{12.0 - 0.3 - 0.0505, 0, 0.5 * pi};
+  const Plan plan = planned(s);
+  EXPECT_EQ(plan.status, Status::solved) << plan.reason;
+}
+
 TEST(ClearanceOptimal, WhatCannotBeReachedIsKnownWithoutASearchAndLimitsAreKept) {
   Scenario s;
   s.map.boundaries = {rectangle({0, 0}, {12, 6})};
