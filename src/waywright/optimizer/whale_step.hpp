@@ -1,0 +1,85 @@
+// The moves of the whale optimisation algorithm (Mirjalili and Lewis 2016, as printed in the RRT*-WOA publication, (2.1)–(2.8)): where one agent goes,
+// given its random numbers. Allocates nothing, draws nothing, knows no populations: searches with memory of their own are made of it.
+//
+// Laws, tested: an agent ends within its bounds; moving bounds, target and agent by a vector moves the result by it (to rounding); with choice = 1
+// and threshold = 0 every move is a search, with choice = 1 and an infinite threshold every move encircles, with choice = 0 every move is a spiral.
+//
+// Not as printed: |C X* − X| depends on where the origin of coordinates is, because C scales them. Here they count from the middle of the bounds.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <span>
+
+#include "waywright/core/elementary.hpp"
+#include "waywright/core/random.hpp"
+
+namespace waywright {
+
+/// Symbols of the publication in brackets. Any finite number is allowed for spiral, the others are ≥ 0; threshold may be infinite.
+struct WhaleParameters {
+  double start = 2.0;      ///< [a₀] |A| is at most this at the beginning; it falls to 0 in a straight line
+  double spiral = 1.0;     ///< [b] how fast the spiral opens
+  double choice = 0.5;     ///< [μ] share of the moves that encircle or search; the others are spirals
+  double threshold = 1.0;  ///< [λ] |A| under it: encircle the best; else: search about another agent
+};
+
+/// [a] of iteration t of T: a₀ (1 − t/T). @pre 0 ≤ t ≤ T, T > 0
+inline double whale_reach(double start, std::size_t t, std::size_t iterations) {
+  return start * (1.0 - static_cast<double>(t) / static_cast<double>(iterations));
+}
+
+/// One agent's random numbers in one iteration.
+struct WhaleDraws {
+  double r1, r2;  ///< in [0, 1): A = 2 a r₁ − a, C = 2 r₂
+  double l;       ///< in [−1, 1): where on the spiral
+  double p;       ///< in [0, 1): which move
+  static WhaleDraws from(Random& random) {
+    WhaleDraws d{};
+    d.r1 = random.uniform();
+    d.r2 = random.uniform();
+    d.l = random.uniform(-1.0, 1.0);
+    d.p = random.uniform();
+    return d;
+  }
+};
+
+enum class WhaleMove { encircle, search, spiral };
+
+/// A move, ready to be made: what is the same for all variables.
+struct WhaleStep {
+  WhaleMove move = WhaleMove::encircle;
+  double factor = 0.0;  ///< encircle, search: A; spiral: e^{bl} cos 2πl
+  double scale = 1.0;   ///< encircle, search: C
+};
+
+/// @param reach  [a], see whale_reach
+inline WhaleStep whale_step(const WhaleParameters& parameters, double reach, const WhaleDraws& draws) {
+  if (draws.p >= parameters.choice) {
+    return {WhaleMove::spiral, exponential(parameters.spiral * draws.l) * sin_cos(2.0 * std::numbers::pi * draws.l).cos, 1.0};
+  }
+  const double a = 2.0 * reach * draws.r1 - reach;  // one for all variables: it is compared with the threshold
+  return {std::abs(a) < parameters.threshold ? WhaleMove::encircle : WhaleMove::search, a, 2.0 * draws.r2};
+}
+
+/// Moves agent x: encircle, search: x ← target − A |C target − x|; spiral: x ← target + e^{bl} cos(2πl) |target − x|, all from the middle of the
+/// bounds; then clamped. The target is the best place so far for encircle and spiral, another agent's for search; it may be x itself.
+/// @pre all of one length, low ≤ high
+inline void make_whale_step(const WhaleStep& step, std::span<const double> target, std::span<const double> low, std::span<const double> high,
+                            std::span<double> x) {
+  const double factor = step.move == WhaleMove::spiral ? step.factor : -step.factor;
+  const double* const t = target.data();
+  const double* const lo = low.data();
+  const double* const hi = high.data();
+  double* const at = x.data();
+  for (std::size_t k = 0, n = x.size(); k < n; ++k) {
+    const double middle = 0.5 * (lo[k] + hi[k]);
+    const double from_target = std::abs(step.scale * (t[k] - middle) - (at[k] - middle));
+    const double wanted = t[k] + factor * from_target;
+    const double above = wanted < lo[k] ? lo[k] : wanted;  // plain, so that the compiler makes vectors of it
+    at[k] = above > hi[k] ? hi[k] : above;
+  }
+}
+
+}  // namespace waywright
