@@ -9,8 +9,10 @@
 #include "waywright/planner/grid/grid_planner.hpp"
 #include "waywright/planner/grid/safe_planner.hpp"
 #include "waywright/planner/ompl/rrt_connect.hpp"
+#include "waywright/planner/roadmap/visibility_planner.hpp"
 #include "waywright/planner/spline/describe.hpp"
 #include "waywright/planner/state_lattice/clearance_optimal.hpp"
+#include "waywright/planner/tree/tree_planner.hpp"
 #include "waywright/planner/waypoint/describe.hpp"
 #include "waywright/scenario/parameter_values.hpp"
 
@@ -140,6 +142,8 @@ const std::vector<PlannerDescription>& planners() {
     for (PlannerDescription& p : grid_planner_descriptions()) list.push_back(std::move(p));
     for (PlannerDescription& p : safe_planner_descriptions()) list.push_back(std::move(p));
     list.push_back(clearance_optimal_description());
+    list.push_back(visibility_graph_description());
+    for (PlannerDescription& p : tree_planner_descriptions()) list.push_back(std::move(p));
     return list;
   }();
   return all;

@@ -1,0 +1,45 @@
+// From true poses to where the disc of a PlaneSpace can stand, and back: the ends of ways in the plane.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "waywright/path/path.hpp"
+#include "waywright/planner/plane/plane_space.hpp"
+#include "waywright/planner/planner.hpp"
+
+namespace waywright {
+
+/// Where a way in the plane begins or ends, and the straight run between there and the pose itself.
+struct PlaneEnd {
+  Vec2 at{};
+  int run = 0;  ///< direction in which the run is driven: +1 forwards, −1 backwards; 0: there is none, `at` is the pose's position
+};
+
+/// Where the disc cannot stand at the pose, but the exact footprint can (a docked pose, one beside a wall), as short a straight run as leads to where it can: along the
+/// pose's heading, of a footprint that is a disc in any of 32 directions. Empty where no run of up to `longest_run` metres does.
+std::optional<PlaneEnd> plane_start(const PlaneSpace& space);
+/// @pre the goal is a pose or a point
+std::optional<PlaneEnd> plane_goal(const PlaneSpace& space);
+/// m
+double longest_run(const PlaneSpace& space);
+
+/// A path along corners: lines with turns on the spot. `points` go from start.at to goal.at (where the goal's heading is free, to where the way ends).
+Path plane_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal);
+
+/// Why `name` plans nothing at all here: a vehicle that cannot turn on the spot, nothing to drive. Empty where it can go on.
+std::optional<std::string> nothing_to_plan(const Problem& problem, std::string_view name);
+
+/// That no run leads from the start, or into the goal, to where the disc can stand.
+PlanningFailure no_room(const PlaneSpace& space, bool is_start);
+/// What the runs at the ends are for. @pre there is one
+std::string run_sentence(const PlaneSpace& space, const PlaneEnd& start, const PlaneEnd& goal);
+
+/// m
+double length_of_way(const std::vector<Vec2>& points);
+
+/// The same ends, fewer corners: each is left out that the ones before and after it see each other past, until none can be. Never longer.
+std::vector<Vec2> taut_way(std::vector<Vec2> points, const PlaneSpace& space);
+
+}  // namespace waywright

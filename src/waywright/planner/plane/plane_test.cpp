@@ -1,0 +1,146 @@
+#include <gtest/gtest.h>
+
+#include "waywright/core/random.hpp"
+#include "waywright/planner/plane/plane_ends.hpp"
+#include "waywright/planner/plane/point_bins.hpp"
+
+namespace waywright {
+namespace {
+
+Problem hall(Random& random, double disc, int boxes, double clearance = 0.02) {
+  Scenario s;
+  s.map.boundaries = {rectangle({0, 0}, {12, 9})};
+  for (int i = 0; i < boxes; ++i) {
+    const Ring box = rectangle({0, 0}, {random.uniform(0.2, 1.2), random.uniform(0.2, 1.2)});
+    s.map.obstacles.push_back(transformed(box, Frame{make_pose({random.uniform(0, 11), random.uniform(0, 8)}, random.uniform(-1, 1))}));
+  }
+  s.map.lines.push_back({{2.0, 2.0}, {4.0, 2.5}, {4.0, 4.0}});
+  s.map.points = {{8.0, 8.0}, {8.5, 7.0}};
+  s.vehicle.footprint = {{}, disc};
+  s.vehicle.drive = Differential{0.5};
+  s.clearance = clearance;
+  s.start = {0.5, 0.5, 0.0};
+  s.mission = Pose{11.5, 8.5, 0.0};
+  return Problem::prepare(std::move(s)).value();
+}
+
+TEST(PointBins, NearestAndWithinAsByLookingAtAll) {
+  Random random{5};
+  PointBins bins;
+  for (const Box& region : {Box{{0, 0}, {10, 10}}, Box{{-3, 2}, {400, 2.5}}, Box{{0, 0}, {1e-12, 5}}}) {
+    bins.clear(region);
+    EXPECT_EQ(bins.nearest({0, 0}), PointBins::none);
+    const Vec2 size = region.high - region.low;
+    const auto place = [&] {  // some are outside of the region
+      return region.low + Vec2{random.uniform(-0.2, 1.2) * size.x, random.uniform(-0.2, 1.2) * size.y};
+    };
+    for (int i = 0; i < 3000; ++i) {
+      bins.add(place());
+      if (i % 37 != 0) continue;
+      const Vec2 at = place();
+      std::uint32_t expected = 0;
+      for (std::uint32_t k = 1; k < bins.size(); ++k) {
+        if (squared_norm(bins[k] - at) < squared_norm(bins[expected] - at)) expected = k;
+      }
+      ASSERT_EQ(bins.nearest(at), expected) << i;
+      const double radius = random.uniform(0.0, 0.3) * norm(size);
+      std::vector<bool> seen(bins.size(), false);
+      bins.visit(at, radius, [&](std::uint32_t k, double) {
+        ASSERT_FALSE(seen[k]);
+        seen[k] = true;
+      });
+      for (std::uint32_t k = 0; k < bins.size(); ++k) ASSERT_EQ(seen[k], squared_norm(bins[k] - at) <= radius * radius);
+    }
+  }
+}
+
+TEST(PlaneSpace, LinesAreFreeAsTheExactOutlinesHaveIt) {
+  Random random{9};
+  int free = 0, blocked = 0;
+  for (int map = 0; map < 8; ++map) {
+    const Problem problem = hall(random, map % 2 == 0 ? 0.3 : 0.0, 12);
+    const PlaneSpace space{problem};
+    for (int i = 0; i < 4000; ++i) {
+      const Vec2 a{random.uniform(-1, 13), random.uniform(-1, 10)};
+      const Vec2 b = i % 3 == 0 ? a : i % 3 == 1 ? a + Vec2{random.uniform(-1, 1), random.uniform(-1, 1)} : Vec2{random.uniform(-1, 13), random.uniform(-1, 10)};
+      const double margin = i % 5 == 0 ? random.uniform(0.0, 0.6) : space.needed();
+      const std::vector<Vec2> ring = a == b ? std::vector<Vec2>{a} : std::vector<Vec2>{a, b};
+      const double exact = problem.world().least_clearance(ring, 0.0, 10.0);
+      if (std::abs(exact - margin) < 1e-9) continue;
+      ASSERT_EQ(a == b ? space.is_free(a, margin) : space.is_free(a, b, margin), exact > margin) << a.x << " " << a.y << " " << b.x << " " << b.y;
+      (exact > margin ? free : blocked) += 1;
+    }
+  }
+  EXPECT_GT(free, 5000);
+  EXPECT_GT(blocked, 5000);
+}
+
+TEST(PlaneSpace, TheFreeAreaIsNotUnderTheTruth) {
+  Random random{3};
+  const Problem problem = hall(random, 0.3, 10);
+  const PlaneSpace space{problem};
+  const Vec2 size = space.region().high - space.region().low;
+  int free = 0;
+  constexpr int drawn = 20'000;
+  for (int i = 0; i < drawn; ++i) free += space.is_free(space.region().low + Vec2{random.uniform() * size.x, random.uniform() * size.y}) ? 1 : 0;
+  const double area = size.x * size.y * free / drawn;
+  EXPECT_GT(space.free_area(), 0.98 * area);
+  EXPECT_LT(space.free_area(), 1.1 * area);
+}
+
+TEST(PlaneEnds, ARunLeadsOutOfWhereTheDiscCannotStand) {
+  Scenario s;
+  s.map.boundaries = {rectangle({0, 0}, {10, 6})};
+  s.map.obstacles = {rectangle({0, 2.0}, {3, 2.3}), rectangle({0, 3.7}, {3, 4.0})};
+  s.vehicle.footprint = {{{-0.3, -0.3}, {1.5, -0.3}, {1.5, 0.3}, {-0.3, 0.3}}, 0.0};
+  s.vehicle.drive = Differential{0.5};
+  s.start = {0.6, 3.0, 0.0};         // in a stall, forks out
+  s.mission = Pose{8.2, 3.0, pi};    // its forks look back
+  const Problem problem = Problem::prepare(s).value();
+  const PlaneSpace space{problem};
+  ASSERT_FALSE(space.is_free(problem.start().position()));
+  const auto start = plane_start(space);
+  ASSERT_TRUE(start);
+  EXPECT_EQ(start->run, 1);
+  EXPECT_NEAR(start->at.y, 3.0, 1e-9);
+  EXPECT_GT(start->at.x, 3.0);
+  EXPECT_TRUE(space.is_free(start->at));
+  const auto goal = plane_goal(space);
+  ASSERT_TRUE(goal);
+  const Path path = plane_path(space, *start, {start->at, goal->at}, *goal);
+  EXPECT_NEAR(distance(start_pose(path).position(), problem.start().position()), 0.0, 1e-12);
+  EXPECT_NEAR(distance(end_pose(path).position(), problem.goal().position()), 0.0, 1e-9);
+  EXPECT_NEAR(std::abs(wrap(end_pose(path).heading - pi)), 0.0, 1e-9);
+  s.start = {0.6, 3.0, pi};  // forks in the wall: backwards out
+  s.vehicle.footprint = {{{-1.5, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {-1.5, 0.3}}, 0.0};
+  const Problem turned = Problem::prepare(s).value();
+  const PlaneSpace other{turned};
+  const auto backwards = plane_start(other);
+  ASSERT_TRUE(backwards);
+  EXPECT_EQ(backwards->run, -1);
+}
+
+TEST(PlaneEnds, TautWaysKeepTheirEndsAndAreNeverLonger) {
+  Random random{11};
+  const Problem problem = hall(random, 0.2, 8);
+  const PlaneSpace space{problem};
+  int checked = 0;
+  for (int i = 0; i < 400; ++i) {
+    std::vector<Vec2> points{{0.6, 0.6}};
+    while (points.size() < 12) {
+      const Vec2 next = points.back() + Vec2{random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5)};
+      if (space.is_free(points.back(), next)) points.push_back(next);
+    }
+    const std::vector<Vec2> taut = taut_way(points, space);
+    EXPECT_EQ(taut.front(), points.front());
+    EXPECT_EQ(taut.back(), points.back());
+    EXPECT_LE(length_of_way(taut), length_of_way(points) + 1e-12);
+    for (std::size_t k = 1; k < taut.size(); ++k) EXPECT_TRUE(space.is_free(taut[k - 1], taut[k]));
+    for (std::size_t k = 2; k < taut.size(); ++k) EXPECT_FALSE(space.is_free(taut[k - 2], taut[k]));
+    checked += taut.size() < points.size() ? 1 : 0;
+  }
+  EXPECT_GT(checked, 100);
+}
+
+}  // namespace
+}  // namespace waywright

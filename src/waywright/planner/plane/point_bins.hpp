@@ -1,0 +1,59 @@
+// Points of the plane in bins, asked for the nearest one and for those within a distance; points are added one after another.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "waywright/geometry/polygon.hpp"
+
+namespace waywright {
+
+/// Bins grow finer with the number of points, so that each has about one. One object, one thread. Points outside of the region are taken, too (in its outermost bins).
+class PointBins {
+ public:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  /// Empty, for points of this region. Memory is kept.
+  void clear(const Box& region);
+  /// Its index: one more than that of the one before.
+  std::uint32_t add(Vec2 point);
+  std::size_t size() const { return points_.size(); }
+  Vec2 operator[](std::uint32_t i) const { return points_[i]; }
+  const std::vector<Vec2>& points() const { return points_; }
+
+  /// Of several the one added first. `none` where there is no point.
+  std::uint32_t nearest(Vec2 to) const;
+  /// Calls seen(index, squared distance) for each within `radius`, in an order that depends on the points alone.
+  template <class Seen>
+  void visit(Vec2 at, double radius, Seen&& seen) const {
+    const double squared = radius * radius;
+    const int c0 = column_of(at.x - radius), c1 = column_of(at.x + radius), r0 = row_of(at.y - radius), r1 = row_of(at.y + radius);
+    for (int row = r0; row <= r1; ++row) {
+      for (int column = c0; column <= c1; ++column) {
+        for (std::uint32_t i = first_[bin(column, row)]; i != none; i = next_[i]) {
+          const double d = squared_norm(points_[i] - at);
+          if (d <= squared) seen(i, d);
+        }
+      }
+    }
+  }
+
+ private:
+  void arrange(std::size_t bins);
+  int column_of(double x) const { return static_cast<int>(std::clamp((x - region_.low.x) * per_metre_, 0.0, columns_ - 1.0)); }
+  int row_of(double y) const { return static_cast<int>(std::clamp((y - region_.low.y) * per_metre_, 0.0, rows_ - 1.0)); }
+  std::size_t bin(int column, int row) const { return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column); }
+  void look(int column, int row, Vec2 to, double& best, std::uint32_t& found) const;
+
+  Box region_{};
+  double side_ = 1.0, per_metre_ = 1.0;
+  int columns_ = 1, rows_ = 1;
+  std::vector<Vec2> points_;
+  std::vector<std::uint32_t> next_;
+  std::vector<std::uint32_t> first_;
+};
+
+}  // namespace waywright

@@ -1,0 +1,59 @@
+#include "waywright/planner/roadmap/least_length.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "waywright/planner/grid/free_goal.hpp"
+#include "waywright/planner/roadmap/tangent_graph.hpp"
+
+namespace waywright {
+namespace {
+
+constexpr double rounding = 1e-6;  // m, under what the proof can tell
+constexpr std::size_t most_corners = 3000;
+
+}  // namespace
+
+LeastLength least_length(const PlaneSpace& space, Budget& budget) {
+  const Problem& problem = space.problem();
+  LeastLength least;
+  least.metres = least_way(problem);
+  least.is_straight = true;
+  const Footprint& footprint = problem.footprint();
+  least.disc = footprint.is_disc() ? footprint.disc : footprint.inner_radius();
+  const double radius = std::max(rounding, least.disc + problem.required_clearance() - rounding);
+  const Vec2 start = problem.start().position();
+  const PlaneTarget goal = target_of(problem, problem.goal().position());
+  // A straight line that is free needs no corners.
+  if (space.is_free(start, goal.nearest(start), radius)) {
+    least.is_straight = false;
+    return least;
+  }
+  const TangentGraph graph{space, radius, radius - 0.5 * rounding, Rounding::optimistic};
+  if (graph.corners() > most_corners) return least;
+  const TangentAnswer answer = graph.shortest(start, goal, budget);
+  if (answer.ended == TangentEnd::found) {
+    least.metres = std::max(least.metres, answer.way.length);
+    least.is_straight = false;
+  } else if (answer.ended == TangentEnd::unreachable) {
+    least.is_unreachable = true;
+  }
+  return least;
+}
+
+std::string bound_sentence(const LeastLength& least, double metres) {
+  if (least.is_unreachable || !(least.metres > 0.0)) return {};
+  const std::string how = least.is_straight ? std::string{"the straight line; the map has too many corners for a closer bound"}
+                                            : fmt::format("the shortest way of the disc of {:.3f} m that the footprint holds, whatever its heading, by a visibility graph", least.disc);
+  return fmt::format("No path from start to goal can be shorter than {:.3f} m ({}): this one is at most {:.2f} % longer than the shortest.", least.metres, how,
+                     std::max(0.0, metres / least.metres - 1.0) * 100.0);
+}
+
+std::string unreachable_sentence(const LeastLength& least, const Problem& problem) {
+  if (!least.is_unreachable) return {};
+  return fmt::format("there is none at all: not even the disc of {:.3f} m that the footprint holds gets from start to goal with {:.4f} m of clearance (visibility graph)", least.disc,
+                     problem.required_clearance());
+}
+
+}  // namespace waywright

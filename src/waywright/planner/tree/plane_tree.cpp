@@ -1,0 +1,232 @@
+#include "waywright/planner/tree/plane_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace waywright {
+namespace {
+
+constexpr int tries_a_sample = 10'000;  // places drawn until one is free
+constexpr int clock_every = 32;         // samples
+
+/// Natural logarithm from plain arithmetic, the same bits everywhere: x = m·2^e, ln m by its series about 1. Error under 1e-12, for radii. @pre x ≥ 1
+double logarithm(double x) {
+  int exponent = 0;
+  while (x > 1.5) {
+    x *= 0.5;
+    ++exponent;
+  }
+  const double y = (x - 1.0) / (x + 1.0), y2 = y * y;
+  double sum = 0.0;
+  for (int k = 15; k >= 0; --k) sum = sum * y2 + 1.0 / (2 * k + 1);
+  return 2.0 * y * sum + exponent * std::numbers::ln2;
+}
+
+}  // namespace
+
+bool PlaneTree::is_edge_free(Vec2 a, Vec2 b) {
+  ++statistics_.edges;
+  return space_->is_free(a, b);
+}
+
+/// Karaman, Frazzoli, theorem 38: γ > 2 (1 + 1/d)^{1/d} (μ(free)/ζ_d)^{1/d}, d = 2.
+double PlaneTree::radius() const {
+  if (options_.radius > 0.0) return options_.radius;
+  const auto n = static_cast<double>(bins_.size());
+  return std::min(options_.step, gamma_ * std::sqrt(logarithm(std::max(2.0, n)) / n));
+}
+
+std::optional<Vec2> PlaneTree::sampled(Random& random) {
+  if (options_.goal_bias > 0.0 && random.uniform() < options_.goal_bias) {
+    const Box box = bounding_box(goal_.area);
+    return goal_.nearest({random.uniform(box.low.x, box.high.x), random.uniform(box.low.y, box.high.y)});
+  }
+  const Box& region = space_->region();
+  const Vec2 start = bins_[0], goal = goal_.nearest(start);
+  const bool is_ellipse = options_.informed && is_found() && goal_.area.size() == 1;
+  const Vec2 between = goal - start;
+  const double least = norm(between);
+  // Of an ellipse with its foci at start and goal, whose longer axis is the best length.
+  const double a = 0.5 * best_length_, b = is_ellipse ? 0.5 * std::sqrt(std::max(0.0, best_length_ * best_length_ - least * least)) : 0.0;
+  const Vec2 size = region.high - region.low;
+  const bool from_ellipse = is_ellipse && std::numbers::pi * a * b < size.x * size.y;
+  const Vec2 along = least > 0.0 ? (1.0 / least) * between : Vec2{1.0, 0.0};
+  for (int i = 0; i < tries_a_sample; ++i) {
+    Vec2 p{};
+    if (from_ellipse) {
+      Vec2 q{};
+      do q = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
+      while (squared_norm(q) > 1.0);
+      p = 0.5 * (start + goal) + (a * q.x) * along + (b * q.y) * left_of(along);
+      if (!region.contains(p)) continue;
+    } else {
+      p = {random.uniform(region.low.x, region.high.x), random.uniform(region.low.y, region.high.y)};
+      if (is_ellipse && distance(p, start) + distance(p, goal) >= best_length_) continue;
+    }
+    if (space_->is_free(p)) return p;
+  }
+  return std::nullopt;
+}
+
+void PlaneTree::attach(std::uint32_t node, std::uint32_t parent, double edge) {
+  Node& n = nodes_[node];
+  Node& p = nodes_[parent];
+  n.parent = parent;
+  n.edge = edge;
+  n.cost = p.cost + edge;
+  n.before = none;
+  n.after = p.child;
+  if (p.child != none) nodes_[p.child].before = node;
+  p.child = node;
+}
+
+void PlaneTree::detach(std::uint32_t node) {
+  const Node& n = nodes_[node];
+  if (n.before != none) nodes_[n.before].after = n.after;
+  else nodes_[n.parent].child = n.after;
+  if (n.after != none) nodes_[n.after].before = n.before;
+}
+
+/// A node's new cost, to all that hangs on it.
+void PlaneTree::pass_on(std::uint32_t node) {
+  waiting_.assign(1, node);
+  while (!waiting_.empty()) {
+    const std::uint32_t at = waiting_.back();
+    waiting_.pop_back();
+    for (std::uint32_t c = nodes_[at].child; c != none; c = nodes_[c].after) {
+      nodes_[c].cost = nodes_[at].cost + nodes_[c].edge;
+      waiting_.push_back(c);
+    }
+  }
+}
+
+void PlaneTree::look_for_goal(std::uint32_t node) {
+  const Vec2 at = bins_[node], end = goal_.nearest(at);
+  const double length = distance(at, end);
+  if (length > options_.goal_threshold || (length > 0.0 && !is_edge_free(at, end))) return;
+  goal_edges_.push_back({node, end, length});
+  is_changed_ = true;
+}
+
+void PlaneTree::choose_best() {
+  if (!is_changed_) return;
+  is_changed_ = false;
+  for (std::size_t i = 0; i < goal_edges_.size(); ++i) {
+    const double metres = nodes_[goal_edges_[i].node].cost + goal_edges_[i].length;
+    if (metres < best_length_ || best_ == static_cast<std::uint32_t>(i)) {
+      best_length_ = metres;
+      best_ = static_cast<std::uint32_t>(i);
+    }
+  }
+}
+
+/// @pre the edge from `near` is free
+void PlaneTree::insert(Vec2 at, std::uint32_t near) {
+  const double to_near = distance(bins_[near], at);
+  if (!options_.rewires) {
+    const std::uint32_t node = bins_.add(at);
+    nodes_.emplace_back();
+    attach(node, near, to_near);
+    look_for_goal(node);
+    return;
+  }
+  neighbours_.clear();
+  bool has_near = false;
+  const double r = radius();
+  bins_.visit(at, r, [&](std::uint32_t i, double squared) {
+    const double length = std::sqrt(squared);
+    neighbours_.push_back({nodes_[i].cost + length, length, i});
+    has_near = has_near || i == near;
+  });
+  if (!has_near) neighbours_.push_back({nodes_[near].cost + to_near, to_near, near});
+  const double by_near = nodes_[near].cost + to_near;
+  // The cheapest first that is free; nothing dearer than the way by `near`, which is.
+  std::uint32_t parent = near;
+  double edge = to_near;
+  double passed = -1.0;
+  while (true) {
+    const Neighbour* cheapest = nullptr;
+    for (const Neighbour& n : neighbours_) {
+      if (n.through > passed && n.through < by_near && (cheapest == nullptr || n.through < cheapest->through)) cheapest = &n;
+    }
+    if (cheapest == nullptr) break;
+    if (is_edge_free(bins_[cheapest->node], at)) {
+      parent = cheapest->node;
+      edge = cheapest->length;
+      break;
+    }
+    passed = cheapest->through;
+  }
+  const std::uint32_t node = bins_.add(at);
+  nodes_.emplace_back();
+  attach(node, parent, edge);
+  const double cost = nodes_[node].cost;
+  for (const Neighbour& n : neighbours_) {
+    if (!(cost + n.length < nodes_[n.node].cost) || n.node == parent || !is_edge_free(at, bins_[n.node])) continue;
+    detach(n.node);
+    attach(n.node, node, n.length);
+    pass_on(n.node);
+    ++statistics_.rewired;
+    is_changed_ = is_changed_ || !goal_edges_.empty();
+  }
+  look_for_goal(node);
+}
+
+void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, Vec2 start, const PlaneTarget& goal, std::uint64_t seed, Budget& budget, std::int64_t edges,
+                     Steering* steering) {
+  space_ = &space;
+  options_ = options;
+  goal_ = goal;
+  gamma_ = 1.0001 * 2.0 * std::sqrt(1.5) * std::sqrt(space.free_area() / std::numbers::pi);
+  bins_.clear(space.region());
+  nodes_.clear();
+  goal_edges_.clear();
+  best_ = none;
+  best_length_ = std::numeric_limits<double>::infinity();
+  is_changed_ = false;
+  statistics_ = {};
+  Random random = Random::stream(seed, 0);
+  bins_.add(start);
+  nodes_.emplace_back();
+  look_for_goal(0);
+  choose_best();
+  if (is_found()) {
+    statistics_.first_length = best_length_;
+    if (options_.first_path) return;
+  }
+  for (std::int64_t i = 0; i < options_.samples; ++i) {
+    if (statistics_.edges >= edges) return;
+    if (i % clock_every == 0 && budget.exhausted()) return;
+    ++statistics_.samples;
+    const std::optional<Vec2> sample = sampled(random);
+    if (!sample) return;  // nowhere to go
+    const std::uint32_t near = bins_.nearest(*sample);
+    const Vec2 from = bins_[near];
+    const Vec2 aim = steering != nullptr ? steering->aim(from, *sample, goal_.nearest(from), random) : *sample;
+    const double way = distance(from, aim);
+    if (!(way > 0.0)) continue;
+    const Vec2 to = way > options_.step ? from + (options_.step / way) * (aim - from) : aim;
+    if (to == from || !is_edge_free(from, to)) continue;
+    insert(to, near);
+    choose_best();
+    if (is_found() && !statistics_.first_length) {
+      statistics_.first_length = best_length_;
+      statistics_.first_path_after = statistics_.samples;
+    }
+    if (is_found() && options_.first_path) return;
+  }
+}
+
+std::vector<Vec2> PlaneTree::way() const {
+  if (!is_found()) return {};
+  const GoalEdge& last = goal_edges_[best_];
+  std::vector<Vec2> points;
+  if (last.length > 0.0) points.push_back(last.end);
+  for (std::uint32_t n = last.node; n != none; n = nodes_[n].parent) points.push_back(bins_[n]);
+  std::reverse(points.begin(), points.end());
+  return points;
+}
+
+}  // namespace waywright

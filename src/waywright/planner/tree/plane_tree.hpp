@@ -1,0 +1,111 @@
+// RRT and RRT* for a disc in the plane: a tree of straight lines that grows from the start.
+//
+// Sources: S. M. LaValle, J. J. Kuffner: Randomized kinodynamic planning, IJRR 20 (2001) (RRT); S. Karaman, E. Frazzoli: Sampling-based algorithms for optimal motion
+// planning, IJRR 30 (2011) (RRT*, the radius); J. D. Gammell, S. S. Srinivasa, T. D. Barfoot: Informed RRT*, IROS 2014 (the ellipse). The goal's threshold, the fixed
+// radius and the end at the first path are those of the RRT*-WOA publication.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "waywright/core/budget.hpp"
+#include "waywright/core/random.hpp"
+#include "waywright/planner/plane/plane_space.hpp"
+#include "waywright/planner/plane/plane_target.hpp"
+#include "waywright/planner/plane/point_bins.hpp"
+
+namespace waywright {
+
+struct PlaneTreeOptions {
+  std::int64_t samples = 10'000;
+  double step = 1.0;            ///< m, longest edge that the tree grows by
+  double radius = 0.0;          ///< m, within which RRT* looks for better parents; 0: the proven one, which shrinks as the tree grows
+  double goal_threshold = 1.0;  ///< m: from so near the goal is looked for
+  double goal_bias = 0.0;       ///< share of the samples that are the goal
+  bool rewires = true;          ///< RRT*; else RRT
+  bool first_path = false;      ///< ends with the first path; else with the last sample
+  bool informed = false;        ///< once there is a path, only places are drawn that a shorter one can lead past
+};
+
+/// Where an extension goes that grows from `near` towards the sample; the tree clips it to its step. The default goes to the sample.
+class Steering {
+ public:
+  virtual ~Steering() = default;
+  virtual Vec2 aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) = 0;
+};
+
+struct PlaneTreeStatistics {
+  std::int64_t samples = 0;
+  std::int64_t edges = 0;  ///< straight lines whose freedom was asked for
+  std::int64_t rewired = 0;
+  std::int64_t first_path_after = 0;      ///< samples; 0: there was none
+  std::optional<double> first_length{};   ///< m
+};
+
+/// One search after another in the same memory; one object, one thread.
+///
+/// Laws: cost(node) = cost(parent) + length of the edge for every node but the first, exactly; every edge is free; same arguments, same bits. With the proven radius, no
+/// end at the first path and no steering of its own, the length of the way tends to that of the shortest with the number of samples.
+class PlaneTree {
+ public:
+  static constexpr std::uint32_t none = PointBins::none;
+
+  /// The space outlives the search. @pre the start is free. `edges`: at most so many lines are tested.
+  void grow(const PlaneSpace& space, const PlaneTreeOptions& options, Vec2 start, const PlaneTarget& goal, std::uint64_t seed, Budget& budget, std::int64_t edges,
+            Steering* steering = nullptr);
+
+  bool is_found() const { return best_ != none; }
+  double length() const { return best_length_; }  ///< m; +∞ where nothing was found
+  std::vector<Vec2> way() const;                  ///< from the start to the goal; empty where nothing was found
+  const PlaneTreeStatistics& statistics() const { return statistics_; }
+
+  std::size_t size() const { return bins_.size(); }
+  Vec2 place(std::uint32_t node) const { return bins_[node]; }
+  std::uint32_t parent(std::uint32_t node) const { return nodes_[node].parent; }
+  double cost(std::uint32_t node) const { return nodes_[node].cost; }
+  std::uint32_t nearest(Vec2 to) const { return bins_.nearest(to); }
+
+ private:
+  struct Node {
+    double cost = 0.0;  // m from the start
+    double edge = 0.0;  // m from the parent
+    std::uint32_t parent = none;
+    std::uint32_t child = none, before = none, after = none;  // first child; siblings
+  };
+  struct GoalEdge {
+    std::uint32_t node;
+    Vec2 end;
+    double length;
+  };
+  struct Neighbour {
+    double through;  // m, cost of the new node by this one
+    double length;
+    std::uint32_t node;
+  };
+  bool is_edge_free(Vec2 a, Vec2 b);
+  std::optional<Vec2> sampled(Random& random);
+  double radius() const;
+  void attach(std::uint32_t node, std::uint32_t parent, double edge);
+  void detach(std::uint32_t node);
+  void pass_on(std::uint32_t node);
+  void insert(Vec2 at, std::uint32_t near);
+  void look_for_goal(std::uint32_t node);
+  void choose_best();
+
+  const PlaneSpace* space_ = nullptr;
+  PlaneTreeOptions options_;
+  PlaneTarget goal_;
+  double gamma_ = 0.0;  // m, of the proven radius
+  PointBins bins_;
+  std::vector<Node> nodes_;
+  std::vector<GoalEdge> goal_edges_;
+  std::vector<Neighbour> neighbours_;
+  std::vector<std::uint32_t> waiting_;
+  std::uint32_t best_ = none;  // index into goal_edges_
+  double best_length_ = 0.0;
+  bool is_changed_ = false;
+  PlaneTreeStatistics statistics_;
+};
+
+}  // namespace waywright

@@ -1,0 +1,225 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "waywright/planner/plane/plane_ends.hpp"
+#include "waywright/planner/roadmap/least_length.hpp"
+#include "waywright/planner/tree/improved_way.hpp"
+#include "waywright/planner/tree/plane_tree.hpp"
+#include "waywright/planner/tree/whale_steering.hpp"
+
+namespace waywright {
+namespace {
+
+Problem walls() {
+  Scenario s;
+  s.map.boundaries = {rectangle({0, 0}, {20, 20})};
+  s.map.obstacles = {rectangle({5.0, 0.0}, {5.6, 12.6}), rectangle({5.0, 13.8}, {5.6, 20}), rectangle({10.0, 0.0}, {10.6, 5.4}), rectangle({10.0, 6.6}, {10.6, 20}),
+                     rectangle({15.0, 0.0}, {15.6, 13.0}), rectangle({15.0, 14.2}, {15.6, 20})};
+  s.vehicle.footprint = {{}, 0.1};
+  s.vehicle.drive = Differential{0.5};
+  s.start = {1.5, 1.5, 0.0};
+  s.mission = Pose{18.5, 18.5, 0.0};
+  return Problem::prepare(std::move(s)).value();
+}
+
+struct Grown {
+  PlaneTree tree;
+  const PlaneTree& grow(const PlaneSpace& space, const PlaneTreeOptions& options, std::uint64_t seed) {
+    Budget budget;
+    tree.grow(space, options, space.problem().start().position(), {{space.problem().goal().position()}}, seed, budget, std::numeric_limits<std::int64_t>::max());
+    return tree;
+  }
+};
+
+TEST(PlaneTree, CostsAddUpAndEdgesAreFreeWhateverWasRewired) {
+  const Problem problem = walls();
+  const PlaneSpace space{problem};
+  for (const double radius : {0.0, 1.5}) {
+    Grown grown;
+    const PlaneTree& tree = grown.grow(space, {.samples = 4000, .radius = radius}, 3);
+    EXPECT_GT(tree.statistics().rewired, 100);
+    for (std::uint32_t i = 1; i < tree.size(); ++i) {
+      const std::uint32_t p = tree.parent(i);
+      ASSERT_NEAR(tree.cost(i), tree.cost(p) + distance(tree.place(i), tree.place(p)), 1e-12);
+      ASSERT_TRUE(space.is_free(tree.place(p), tree.place(i)) || space.is_free(tree.place(i), tree.place(p)));
+      int steps = 0;
+      for (std::uint32_t n = i; n != PlaneTree::none; n = tree.parent(n)) ASSERT_LT(++steps, 5000) << "a circle";
+    }
+    ASSERT_TRUE(tree.is_found());
+    const std::vector<Vec2> way = tree.way();
+    EXPECT_NEAR(length_of_way(way), tree.length(), 1e-9);
+    EXPECT_EQ(way.front(), problem.start().position());
+    EXPECT_EQ(way.back(), problem.goal().position());
+  }
+}
+
+TEST(PlaneTree, RewiringHelpsAndMoreSamplesHelpMore) {
+  const Problem problem = walls();
+  const PlaneSpace space{problem};
+  Budget budget;
+  const double least = least_length(space, budget).metres;
+  double first = 0.0, short_run = 0.0, long_run = 0.0, informed = 0.0;
+  constexpr int runs = 20;
+  for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+    Grown grown;
+    const auto length = [&](const PlaneTreeOptions& options) {
+      const PlaneTree& tree = grown.grow(space, options, seed);
+      EXPECT_TRUE(tree.is_found());
+      EXPECT_GE(tree.length(), least);
+      return tree.length();
+    };
+    first += length({.radius = 1.5, .first_path = true});
+    short_run += length({.samples = 2500});
+    long_run += length({.samples = 10'000});
+    informed += length({.samples = 10'000, .informed = true});
+  }
+  EXPECT_LT(short_run, first);
+  EXPECT_LT(long_run, short_run);
+  EXPECT_LT(informed, long_run);
+  EXPECT_LT(informed / runs, 1.03 * least);
+}
+
+TEST(PlaneTree, SameSeedSameTreeAlsoInMemoryThatWasUsed) {
+  const Problem problem = walls();
+  const PlaneSpace space{problem};
+  Grown one, other;
+  other.grow(space, {.samples = 3000, .radius = 2.0}, 77);
+  const PlaneTree& a = one.grow(space, {.samples = 2000}, 5);
+  const PlaneTree& b = other.grow(space, {.samples = 2000}, 5);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::uint32_t i = 0; i < a.size(); ++i) {
+    ASSERT_EQ(a.place(i), b.place(i));
+    ASSERT_EQ(a.parent(i), b.parent(i));
+    ASSERT_EQ(a.cost(i), b.cost(i));
+  }
+  const PlaneTree& c = other.grow(space, {.samples = 2000}, 6);
+  EXPECT_NE(a.place(5), c.place(5));
+}
+
+/// As the steering has it, but every cost whole and every agent looked at.
+Vec2 plain_aim(const PlaneSpace& space, const WhaleSteeringOptions& o, const WhaleSteering& steering, Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
+  std::vector<Vec2> agents;
+  Vec2 best = sample;
+  double cost = std::numeric_limits<double>::infinity();
+  const auto look = [&](Vec2 x) {
+    const double c = steering.cost(x, near, sample, goal);
+    if (c < cost) {
+      cost = c;
+      best = x;
+    }
+  };
+  for (int i = 0; i < o.population; ++i) {
+    Vec2 q{};
+    do q = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
+    while (squared_norm(q) > 1.0);
+    agents.push_back(sample + o.radius * q);
+    look(agents.back());
+  }
+  const std::array<double, 2> low{sample.x - o.radius, sample.y - o.radius}, high{sample.x + o.radius, sample.y + o.radius};
+  for (int t = 0; t < o.iterations; ++t) {
+    const Vec2 leader = best;
+    for (Vec2& agent : agents) {
+      const WhaleStep step = whale_step(o.whale, whale_reach(o.whale.start, static_cast<std::size_t>(t), static_cast<std::size_t>(o.iterations)), WhaleDraws::from(random));
+      const Vec2 target = step.move == WhaleMove::search ? agents[static_cast<std::size_t>(random.integer(0, o.population - 1))] : leader;
+      std::array<double, 2> x{agent.x, agent.y};
+      make_whale_step(step, std::array{target.x, target.y}, low, high, x);
+      const Vec2 off = Vec2{x[0], x[1]} - sample;
+      agent = norm(off) > o.radius ? sample + (o.radius / norm(off)) * off : Vec2{x[0], x[1]};
+    }
+    for (const Vec2 agent : agents) look(agent);
+  }
+  (void)space;
+  return best;
+}
+
+TEST(WhaleSteering, LeavesOutOnlyWhatCannotMatter) {
+  const Problem problem = walls();
+  const PlaneSpace space{problem};
+  const WhaleSteeringOptions options;
+  WhaleSteering steering{space, options};
+  Random places{4};
+  std::int64_t plain_lines = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vec2 sample{places.uniform(0.5, 19.5), places.uniform(0.5, 19.5)};
+    const Vec2 near = sample + Vec2{places.uniform(-1.0, 1.0), places.uniform(-1.0, 1.0)};
+    Random a{static_cast<std::uint64_t>(i)}, b{static_cast<std::uint64_t>(i)};
+    const Vec2 aim = steering.aim(near, sample, {18.5, 18.5}, a);
+    ASSERT_LT(distance(aim, plain_aim(space, options, steering, near, sample, {18.5, 18.5}, b)), 1e-12) << i;
+    plain_lines += 220;
+    EXPECT_LE(distance(aim, sample), options.radius * (1.0 + 1e-12));
+  }
+  EXPECT_LT(steering.lines(), plain_lines / 2);
+}
+
+TEST(WhaleSteering, FewerNodesThanWithoutIt) {
+  const Problem problem = walls();
+  const PlaneSpace space{problem};
+  std::size_t with = 0, without = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    PlaneTree tree;
+    Budget budget;
+    WhaleSteering steering{space, {}};
+    const PlaneTreeOptions options{.radius = 1.5, .first_path = true};
+    tree.grow(space, options, {1.5, 1.5}, {{{18.5, 18.5}}}, seed, budget, 1 << 30, &steering);
+    ASSERT_TRUE(tree.is_found());
+    with += tree.size();
+    tree.grow(space, options, {1.5, 1.5}, {{{18.5, 18.5}}}, seed, budget, 1 << 30);
+    ASSERT_TRUE(tree.is_found());
+    without += tree.size();
+  }
+  EXPECT_LT(with, without);
+}
+
+TEST(WhaleRefinement, NeverLongerAlwaysFreeSameEnds) {
+  const Problem problem = walls();
+  const PlaneSpace space{problem};
+  WhaleRefinement refinement;
+  int better = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    Grown grown;
+    const std::vector<Vec2> way = grown.grow(space, {.radius = 1.5, .first_path = true}, seed).way();
+    for (const double start : {0.0, 2.0, 4.0}) {
+      Budget budget;
+      const std::vector<Vec2> moved = refinement.refined(way, space, {.whale = {.start = start}}, seed, budget);
+      ASSERT_EQ(moved.size(), way.size());
+      EXPECT_EQ(moved.front(), way.front());
+      EXPECT_EQ(moved.back(), way.back());
+      EXPECT_LE(length_of_way(moved), length_of_way(way) + 1e-12);
+      EXPECT_EQ(refinement.evaluations(), 10 * 11);
+      for (std::size_t i = 1; i < moved.size(); ++i) {
+        EXPECT_TRUE(space.is_free(moved[i - 1], moved[i]));
+        EXPECT_LE(std::abs(moved[i].x - way[i].x), 2.5 + 1e-12);
+        EXPECT_LE(std::abs(moved[i].y - way[i].y), 2.5 + 1e-12);
+      }
+      better += length_of_way(moved) < length_of_way(way) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(better, 10);
+}
+
+TEST(ImprovedWay, ComesNearTheShortest) {
+  const Problem problem = walls();
+  const PlaneSpace space{problem};
+  Budget budget;
+  const double least = least_length(space, budget).metres;
+  double sum = 0.0, published = 0.0;
+  constexpr int runs = 20;
+  for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+    Grown grown;
+    const std::vector<Vec2> way = grown.grow(space, {.radius = 1.5, .first_path = true}, seed).way();
+    const ImprovedWay improved = improved_way(way, space, {}, 12, seed, budget);
+    EXPECT_LE(length_of_way(improved.points), length_of_way(way));
+    EXPECT_GE(length_of_way(improved.points), least - 1e-9);
+    for (std::size_t i = 1; i < improved.points.size(); ++i) EXPECT_TRUE(space.is_free(improved.points[i - 1], improved.points[i]));
+    sum += length_of_way(improved.points);
+    published += length_of_way(WhaleRefinement{}.refined(way, space, {}, seed, budget));
+  }
+  EXPECT_LT(sum, published);
+  EXPECT_LT(sum / runs, 1.05 * least);
+}
+
+}  // namespace
+}  // namespace waywright

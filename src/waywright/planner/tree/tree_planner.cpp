@@ -1,0 +1,180 @@
+#include "waywright/planner/tree/tree_planner.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <optional>
+
+#include "waywright/planner/grid/grid_path.hpp"
+#include "waywright/planner/grid/grid_words.hpp"
+#include "waywright/planner/grid/search_pool.hpp"
+#include "waywright/planner/plane/plane_ends.hpp"
+#include "waywright/planner/roadmap/least_length.hpp"
+#include "waywright/planner/tree/improved_way.hpp"
+
+namespace waywright {
+namespace {
+
+using grid::counted;
+
+std::vector<Pose> picture_of(const std::vector<Vec2>& points) {
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2 along = i + 1 < points.size() ? points[i + 1] - points[i] : i > 0 ? points[i] - points[i - 1] : Vec2{1.0, 0.0};
+    poses.push_back(make_pose(points[i], angle_of(along)));
+  }
+  return poses;
+}
+
+const char* tree_name(TreeMethod method) { return method == TreeMethod::rrt ? "RRT" : "RRT*"; }
+
+}  // namespace
+
+class TreePlanner::Ready {
+ public:
+  explicit Ready(const Problem& problem) : space_{problem} {}
+  Ready(const Ready&) = delete;
+  Ready& operator=(const Ready&) = delete;
+
+  bool is_for(const Problem& problem) const { return &problem == &space_.problem(); }
+
+  PlanningResult plan(const TreePlannerOptions& options, std::string_view name, std::uint64_t seed, Budget& budget) const {
+    using grid::failure;
+    const Problem& problem = space_.problem();
+    if (auto reason = nothing_to_plan(problem, name)) return tl::unexpected{failure(Status::no_path, std::move(*reason))};
+    const auto start = plane_start(space_);
+    const bool is_region = problem.free_goal() != nullptr && !problem.free_goal()->is_point();
+    const auto goal = is_region ? std::optional<PlaneEnd>{PlaneEnd{}} : plane_goal(space_);
+    if (!start || !goal) {
+      budget.count_evaluations();  // the run that was looked for
+      return tl::unexpected{no_room(space_, !start)};
+    }
+    PlaneTreeOptions tree_options = options.tree;
+    tree_options.samples = budget.limits().samples.value_or(tree_options.samples);
+    const std::int64_t edges = budget.evaluations_left().value_or(std::numeric_limits<std::int64_t>::max());
+    auto lent = trees_.lend();
+    PlaneTree& tree = *lent;
+    std::optional<WhaleSteering> steering;
+    if (options.method == TreeMethod::woa_local) steering.emplace(space_, options.steering);
+    const PlaneTarget target = target_of(problem, goal->at);
+    tree.grow(space_, tree_options, start->at, target, seed, budget, edges, steering ? &*steering : nullptr);
+    budget.count_evaluations(tree.statistics().edges);
+    if (budget.canceled()) return tl::unexpected{failure(Status::canceled, fmt::format("canceled after {}", counted(tree.statistics().samples, "sample")))};
+    if (!tree.is_found()) return tl::unexpected{nothing_found(options, tree, tree_options, target, edges, budget)};
+    return explained(options, tree, tree_options, steering, *start, *goal, seed, budget);
+  }
+
+ private:
+  PlanningFailure nothing_found(const TreePlannerOptions& options, const PlaneTree& tree, const PlaneTreeOptions& tree_options, const PlaneTarget& target, std::int64_t edges, Budget& budget) const {
+    const PlaneTreeStatistics& statistics = tree.statistics();
+    const bool is_late = budget.cut_short();
+    const std::string ended = is_late                                  ? fmt::format("the {:g} s of its budget were over", budget.limits().seconds.value_or(0.0))
+                              : statistics.samples >= tree_options.samples ? fmt::format("all {} were drawn", counted(statistics.samples, "sample"))
+                              : statistics.edges >= edges                  ? fmt::format("all {} of its budget were tested", counted(statistics.edges, "line"))
+                                                                           : std::string{"no place was free that a sample could be"};
+    std::uint32_t nearest = 0;
+    double missing = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < tree.size(); ++i) {
+      const double off = distance(tree.place(i), target.nearest(tree.place(i)));
+      if (off < missing) {
+        missing = off;
+        nearest = i;
+      }
+    }
+    const Vec2 reached = tree.place(nearest);
+    std::string reason = fmt::format("{} found no way from start to goal for {} of {:.3f} m before {}: {} in the tree, {} tested; nearest to the goal it came to {}, {:.2f} m off",
+                                     tree_name(options.method), space_.problem().footprint().is_disc() ? "a disc" : "the disc around the footprint,", space_.disc(), ended,
+                                     counted(static_cast<std::int64_t>(tree.size()), "node"), counted(statistics.edges, "line"), grid::place(reached), missing);
+    if (!is_late) {
+      if (const std::string more = unreachable_sentence(least_length(space_, budget), space_.problem()); !more.empty()) reason += "; " + more;
+    }
+    PlanningFailure failed = grid::failure(is_late ? Status::timed_out : Status::no_path, reason);
+    Alternative tried;
+    tried.name = tree_name(options.method);
+    tried.outcome = fmt::format("{:.2f} m short of the goal.", missing);
+    std::vector<Vec2> points;
+    for (std::uint32_t n = nearest; n != PlaneTree::none; n = tree.parent(n)) points.insert(points.begin(), tree.place(n));
+    tried.poses = picture_of(points);
+    failed.alternatives.push_back(std::move(tried));
+    failed.explanation.push_back(reason + ".");
+    return failed;
+  }
+
+  PlanningResult explained(const TreePlannerOptions& options, const PlaneTree& tree, const PlaneTreeOptions& tree_options, const std::optional<WhaleSteering>& steering, const PlaneEnd& start,
+                           const PlaneEnd& goal, std::uint64_t seed, Budget& budget) const {
+    Planned planned;
+    const PlaneTreeStatistics& statistics = tree.statistics();
+    const std::vector<Vec2> grown = tree.way();
+    std::vector<Vec2> points = grown;
+    std::vector<std::string>& text = planned.explanation;
+    const auto tried = [&](std::string name, const std::vector<Vec2>& way, bool is_chosen) {
+      Alternative alternative;
+      alternative.name = std::move(name);
+      alternative.chosen = is_chosen;
+      alternative.cost = length_of_way(way);
+      alternative.is_length = true;
+      alternative.outcome = fmt::format("{:.3f} m with {}.", *alternative.cost, counted(static_cast<std::int64_t>(way.size() - 2), "corner"));
+      alternative.poses = picture_of(way);
+      planned.alternatives.push_back(std::move(alternative));
+    };
+    std::string what = fmt::format("This is the path of a sampling planner, {} for {} of {:.3f} m: another seed gives another path. Its tree has {} after {}, with {} tested", tree_name(options.method),
+                                   space_.problem().footprint().is_disc() ? "a disc" : "the disc around the footprint,", space_.disc(), counted(static_cast<std::int64_t>(tree.size()), "node"),
+                                   counted(statistics.samples, "sample"), counted(statistics.edges, "line"));
+    if (!tree_options.first_path && statistics.first_length) {
+      what += fmt::format("; the first way, {:.3f} m, was there after {}, the best one is {:.3f} m", *statistics.first_length, counted(statistics.first_path_after, "sample"), tree.length());
+    } else {
+      what += fmt::format(" when the first way was there, {:.3f} m", tree.length());
+    }
+    text.push_back(what + ".");
+    if (steering) {
+      text.push_back(fmt::format("Each extension was aimed by the whale optimisation algorithm, {} agents in {} iterations around the sample: {} of places, {} looked along.",
+                                 options.steering.population, options.steering.iterations, counted(steering->evaluations(), "evaluation"), counted(steering->lines(), "line")));
+    }
+    if (options.method == TreeMethod::woa_global) {
+      if (options.rounds > 0) {
+        const ImprovedWay improved = improved_way(points, space_, options.refinement, options.rounds, seed, budget);
+        points = improved.points;
+        budget.count_evaluations(improved.evaluations);
+        text.push_back(fmt::format("The whale optimisation algorithm moved its corners in {}, corners dropped and inserted between: {:.3f} m after {}.", counted(improved.rounds, "round"),
+                                   length_of_way(points), counted(improved.evaluations, "evaluation")));
+      } else {
+        WhaleRefinement refinement;
+        points = refinement.refined(points, space_, options.refinement, seed, budget);
+        budget.count_evaluations(refinement.evaluations());
+        text.push_back(fmt::format("The whale optimisation algorithm moved its corners, as published: {:.3f} m after {}.", length_of_way(points), counted(refinement.evaluations(), "evaluation")));
+      }
+    }
+    if (options.shortens) {
+      const double before = length_of_way(points);
+      points = taut_way(std::move(points), space_);
+      const double after = length_of_way(points);
+      if (after < before) text.push_back(fmt::format("Corners past which their neighbours see each other were left out: {:.3f} m.", after));
+    }
+    if (points != grown) tried(tree_name(options.method), grown, false);
+    tried(points == grown ? tree_name(options.method) : "as driven", points, true);
+    planned.path = plane_path(space_, start, points, goal);
+    if (planned.path.pieces.empty()) return tl::unexpected{grid::failure(Status::no_path, "start and goal are the same place, there is nothing to drive")};
+    if (start.run != 0 || goal.run != 0) text.push_back(run_sentence(space_, start, goal));
+    const Turning turning = turning_of(planned.path);
+    text.push_back(fmt::format("It is {:.3f} m long and turns on the spot {}, {:.1f}° in all.", length(planned.path), turning.turns == 1 ? std::string{"once"} : fmt::format("{} times", turning.turns),
+                               turning.angle * 180.0 / pi));
+    if (std::string bound = bound_sentence(least_length(space_, budget), length(planned.path)); !bound.empty()) text.push_back(std::move(bound));
+    return planned;
+  }
+
+  PlaneSpace space_;
+  mutable SearchPool<PlaneTree> trees_;
+};
+
+TreePlanner TreePlanner::prepared(const Problem& problem) const {
+  TreePlanner planner = *this;
+  planner.ready_ = std::make_shared<const Ready>(problem);
+  return planner;
+}
+
+PlanningResult TreePlanner::plan(const Problem& problem, Budget& budget) const {
+  if (ready_ && ready_->is_for(problem)) return ready_->plan(options_, name_, seed_, budget);
+  return Ready{problem}.plan(options_, name_, seed_, budget);
+}
+
+}  // namespace waywright
