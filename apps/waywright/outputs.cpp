@@ -44,9 +44,14 @@ Parsed<void> prepare_folder_of(const fs::path& file) {
 }
 
 Parsed<void> write_plan(const fs::path& folder, const Problem& problem, const Plan& plan) {
-  return write_files({{folder / "plan.json", plan_json(plan)},
-                      {folder / "plan.svg", plan_svg(problem, plan)},
-                      {folder / "report.html", report_html(problem, plan)}});
+  std::vector<NamedContent> files{{folder / "plan.json", plan_json(plan)}, {folder / "plan.svg", plan_svg(problem, plan)}, {folder / "report.html", report_html(problem, plan)}};
+  if (plan.search) files.push_back({folder / "search.svg", search_picture_svg(problem, plan)});
+  auto written = write_files(files);
+  if (written && !plan.search) {  // that of another plan would be beside this one
+    std::error_code none;
+    fs::remove(folder / "search.svg", none);
+  }
+  return written;
 }
 
 Parsed<void> write_plan(const fs::path& folder, const Plan& plan) {
