@@ -122,7 +122,7 @@ int run(int argc, char** argv) {
 
   GenerateArguments generate_arguments;
   auto* generate_command = app.add_subcommand("generate", "make a test scenario, map or site");
-  generate_command->add_option("NAME", generate_arguments.name, "station, stations, warehouse")->required();
+  generate_command->add_option("NAME", generate_arguments.name, "station, stations, warehouse, or a publication's map as list maps names them")->required();
   generate_command->add_option("-o,--out", generate_arguments.out, "file to write")->required();
   generate_command->add_option("--seed", generate_arguments.seed, "other seeds, other scenarios");
   generate_command->add_option("--boxes", generate_arguments.boxes, "number of boxes in a station (default: 0 to 12 by seed)")->check(CLI::Range(0, 200));

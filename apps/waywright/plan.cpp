@@ -88,7 +88,7 @@ struct Planning {
 };
 
 Parsed<Planning> ready(const PlanArguments& arguments) {
-  auto read = load_scenario(arguments.scenario, [&](Scenario& scenario) { return apply(arguments, scenario); });
+  auto read = load_scenario(arguments.scenario, [&](Scenario& scenario) { return apply(arguments, scenario); }, arguments.planner);
   if (!read) return tl::unexpected{read.error()};
   if (!read->scenario.legs.empty()) return Planning{std::nullopt, std::move(*read)};
   auto loaded = prepare(std::move(*read), arguments.scenario);
