@@ -132,9 +132,9 @@ int run(int argc, char** argv) {
 
   ReproduceArguments reproduce_arguments;
   auto* reproduce_command = app.add_subcommand("reproduce", "a publication's experiments, printed and ours side by side");
-  reproduce_command->add_option("WHAT", reproduce_arguments.what, "safe_astar")->required();
+  reproduce_command->add_option("WHAT", reproduce_arguments.what, "safe_astar or rrt_woa")->required();
   reproduce_command->add_option("-o,--out", reproduce_arguments.out, "folder to write to (default: waywright-out/reproduce-WHAT)");
-  reproduce_command->add_option("--runs", reproduce_arguments.runs, "searches each, for the median of their times")->check(CLI::Range(1, 1000));
+  reproduce_command->add_option("--runs", reproduce_arguments.runs, "searches each (safe_astar: 5, for the median of their times; rrt_woa: 100 seeds a map)")->check(CLI::Range(1, 1000));
   reproduce_command->callback([&] { status = reproduce(reproduce_arguments); });
 
   for (const char* later : {"sweep", "tune", "simulate", "serve", "agv", "fleet"}) {
