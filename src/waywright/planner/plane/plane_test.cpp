@@ -27,6 +27,7 @@ Problem hall(Random& random, double disc, int boxes, double clearance = 0.02) {
 TEST(PointBins, NearestAndWithinAsByLookingAtAll) {
   Random random{5};
   PointBins bins;
+  std::vector<PointBins::Near> near;
   for (const Box& region : {Box{{0, 0}, {10, 10}}, Box{{-3, 2}, {400, 2.5}}, Box{{0, 0}, {1e-12, 5}}}) {
     bins.clear(region);
     EXPECT_EQ(bins.nearest({0, 0}), PointBins::none);
@@ -45,10 +46,12 @@ TEST(PointBins, NearestAndWithinAsByLookingAtAll) {
       ASSERT_EQ(bins.nearest(at), expected) << i;
       const double radius = random.uniform(0.0, 0.3) * norm(size);
       std::vector<bool> seen(bins.size(), false);
-      bins.visit(at, radius, [&](std::uint32_t k, double) {
-        ASSERT_FALSE(seen[k]);
-        seen[k] = true;
-      });
+      bins.within(at, radius, near);
+      for (const PointBins::Near& n : near) {
+        ASSERT_FALSE(seen[n.index]);
+        ASSERT_EQ(n.squared, squared_norm(bins[n.index] - at));
+        seen[n.index] = true;
+      }
       for (std::uint32_t k = 0; k < bins.size(); ++k) ASSERT_EQ(seen[k], squared_norm(bins[k] - at) <= radius * radius);
     }
   }

@@ -28,6 +28,13 @@ void WhaleSteering::look(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal, Best& best) 
   ++evaluations_;
   double sum = per_radius_ * distance(x, sample) + per_diagonal_ * distance(x, goal);
   if (!(sum < best.cost)) return;
+  // Where a place that does not see the goal can be no better, that is asked first: most do not.
+  const bool must_see = !(sum + options_.view_weight < best.cost);
+  const auto sees_goal = [&] {
+    ++lines_;
+    return space_.is_free(x, goal);
+  };
+  if (must_see && !sees_goal()) return;
   ++lines_;
   if (!space_.is_free(near, x)) {
     sum += options_.near_weight;
@@ -35,8 +42,7 @@ void WhaleSteering::look(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal, Best& best) 
     if (!space_.is_free(x)) sum += blocked_weight;
     if (!(sum < best.cost)) return;
   }
-  ++lines_;
-  if (!space_.is_free(x, goal)) sum += options_.view_weight;
+  if (!must_see && !sees_goal()) sum += options_.view_weight;
   if (sum < best.cost) best = {x, sum};
 }
 
