@@ -3,6 +3,7 @@
 #include "waywright/core/random.hpp"
 #include "waywright/planner/plane/plane_ends.hpp"
 #include "waywright/planner/plane/point_bins.hpp"
+#include "waywright/planner/plane/shadow.hpp"
 
 namespace waywright {
 namespace {
@@ -89,6 +90,30 @@ TEST(PlaneSpace, TheFreeAreaIsNotUnderTheTruth) {
   const double area = size.x * size.y * free / drawn;
   EXPECT_GT(space.free_area(), 0.98 * area);
   EXPECT_LT(space.free_area(), 1.1 * area);
+}
+
+TEST(Shadow, WhatIsDarkIsNotSeenAndMostThatIsNotSeenIsDark) {
+  Random random{19};
+  int dark = 0, hidden = 0;
+  for (int map = 0; map < 6; ++map) {
+    const Problem problem = hall(random, 0.0, 12);
+    const PlaneSpace space{problem};
+    const Vec2 light{random.uniform(0.5, 11.5), random.uniform(0.5, 8.5)};
+    if (!space.is_free(light)) continue;
+    const Shadow shadow{space, light};
+    for (int i = 0; i < 20'000; ++i) {
+      const Vec2 at{random.uniform(-1, 13), random.uniform(-1, 10)};
+      const std::vector<Vec2> ring{light, at};
+      const bool is_hidden = problem.world().least_clearance(ring, 0.0, 1.0) == 0.0;
+      if (shadow.is_dark(at)) {
+        ASSERT_TRUE(is_hidden) << at.x << " " << at.y;
+        ++dark;
+      }
+      hidden += is_hidden ? 1 : 0;
+    }
+  }
+  EXPECT_GT(hidden, 20'000);
+  EXPECT_GT(dark, 0.95 * hidden);
 }
 
 TEST(PlaneEnds, ARunLeadsOutOfWhereTheDiscCannotStand) {

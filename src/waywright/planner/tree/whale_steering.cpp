@@ -31,6 +31,7 @@ void WhaleSteering::look(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal, Best& best) 
   // Where a place that does not see the goal can be no better, that is asked first: most do not.
   const bool must_see = !(sum + options_.view_weight < best.cost);
   const auto sees_goal = [&] {
+    if (shadow_.light() == goal && shadow_.is_dark(x)) return false;
     ++lines_;
     return space_.is_free(x, goal);
   };
@@ -53,6 +54,9 @@ Vec2 WhaleSteering::into_disc(Vec2 x, Vec2 middle) const {
 }
 
 Vec2 WhaleSteering::aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
+  if (has_goal_ && last_goal_ == goal && !(shadow_.light() == goal && shadow_.is_ready())) shadow_ = Shadow{space_, goal};
+  has_goal_ = true;
+  last_goal_ = goal;
   Best best{sample, std::numeric_limits<double>::infinity()};
   agents_.clear();
   for (int i = 0; i < options_.population; ++i) {
