@@ -108,7 +108,7 @@ std::string search_svg(const Problem& problem, const Plan& plan, double width) {
   std::vector<LegendEntry> legend{{"searchline", LegendEntry::Shape::line, search.name}};
   if (!search.swarms.empty()) legend.push_back({"searchagent", LegendEntry::Shape::line, "agents of the whale optimisation algorithm"});
   if (!search.ways.empty()) legend.push_back({"fwd", LegendEntry::Shape::line, "best way so far"});
-  legend.push_back({"", LegendEntry::Shape::none, fmt::format("{} {}s in {:g} s, the first ones slower", search.steps, search.step, moving)});
+  legend.push_back({"", LegendEntry::Shape::none, fmt::format("the search in {:g} s, its beginning slower", moving)});
   const double whole = std::max(canvas.width, 480.0);
   const double end = draw_legend(svg, legend, whole, canvas.height + 40.0);
   return framed(svg.take(), whole, end + 14.0, problem.scenario().name + ": the search");

@@ -236,7 +236,6 @@ void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, V
 SearchPicture PlaneTree::picture() const {
   SearchPicture picture;
   picture.name = options_.rewires ? "tree of RRT*" : "tree of RRT";
-  picture.step = "sample";
   picture.steps = static_cast<std::uint32_t>(statistics_.samples);
   std::vector<std::uint32_t> last(nodes_.size(), none);  // line of a node
   picture.lines.reserve(hung_.size());
