@@ -42,6 +42,7 @@ PlannerDescription whale_description() {
       {.name = "turn_speed", .default_value = o.turn_speed, .summary = "where the vehicle names no limit", .unit = "rad/s", .low = 0.01, .high = 10},
       {.name = "spacing", .default_value = o.spacing, .summary = "of waypoints, at most", .unit = "m", .low = 0.05, .high = 100},
       {.name = "clearance", .default_value = o.clearance, .summary = "that the track keeps", .unit = "m", .low = 0, .high = 10},
+      {.name = "warm", .default_value = o.warm, .summary = "one agent begins as the plan drives the segment"},
       {.name = "a", .default_value = o.whale.start, .summary = "of the whale optimisation algorithm, at the beginning", .low = 0, .high = 100},
       {.name = "b", .default_value = o.whale.spiral, .summary = "of its spiral", .low = -10, .high = 10},
       {.name = "mu", .default_value = o.whale.choice, .summary = "share of its moves that are no spirals", .low = 0, .high = 1},
@@ -67,6 +68,7 @@ WhaleControlOptions whale_options(const Parameters& p) {
   o.turn_speed = number_of(p, "turn_speed");
   o.spacing = number_of(p, "spacing");
   o.clearance = number_of(p, "clearance");
+  o.warm = flag_of(p, "warm");
   o.whale = {number_of(p, "a"), number_of(p, "b"), number_of(p, "mu"), number_of(p, "lambda")};
   o.form = word_of(p, "form") == "published" ? WhaleForm::published : WhaleForm::unbiased;
   return o;

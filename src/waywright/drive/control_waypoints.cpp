@@ -22,6 +22,12 @@ std::vector<ControlWaypoint> control_waypoints(const Problem& problem, const Pla
     }
     return top;
   };
+  const auto time_at = [&](double s) {
+    const auto after = std::upper_bound(samples.begin() + 1, samples.end() - 1, s, [](double value, const Sample& sample) { return value < sample.s; });
+    const Sample& a = *std::prev(after);
+    const double way = after->s - a.s;
+    return way > 0.0 ? a.t + (after->t - a.t) * std::clamp((s - a.s) / way, 0.0, 1.0) : a.t;
+  };
   // Stretches of one direction between turns, by samples.
   for (std::size_t i = 0; i + 1 < samples.size();) {
     const auto moves = [&](std::size_t k) { return samples[k + 1].s - samples[k].s > 1e-9; };
@@ -29,22 +35,34 @@ std::vector<ControlWaypoint> control_waypoints(const Problem& problem, const Pla
     if (!moves(i)) {
       if (turns(i)) {
         if (waypoints.empty()) waypoints.push_back({samples[i].pose(), 0, true, infinity});
-        waypoints.back().pose.heading = samples[i + 1].heading;
+        ControlWaypoint& at = waypoints.back();
+        at.pose.heading = samples[i + 1].heading;
+        at.turn += shorter_turn(samples[i].heading, samples[i + 1].heading);
+        at.turn_time += samples[i + 1].t - samples[i].t;
       }
       ++i;
       continue;
     }
     std::size_t end = i + 1;
     const int direction = samples[end].direction;
-    while (end + 1 < samples.size() && !turns(end) && (!moves(end) || samples[end + 1].direction == direction)) ++end;
-    // What follows goes the other way, or this one again after a turn.
-    if (!waypoints.empty() && waypoints.back().direction == -direction) waypoints.back().is_stand = true;
+    const auto stands = [&](std::size_t k) { return !moves(k) && must_stand(samples[k], samples[k + 1], problem.vehicle()); };
+    while (end + 1 < samples.size() && !turns(end) && !stands(end) && (!moves(end) || samples[end + 1].direction == direction)) ++end;
     const double begin = samples[i].s, length = samples[end].s - begin;
     const double parts = std::max(1.0, std::ceil(length / spacing - 1e-9));
+    double last_heading = samples[i].heading, last_time = samples[i].t;
     for (double part = 1.0; part <= parts; ++part) {
       const double s = part == parts ? samples[end].s : begin + length * part / parts;
       const Pose pose = part == parts ? samples[end].pose() : places.at(s).pose;
       waypoints.push_back({pose, direction, false, top_between(begin + length * (part - 1.0) / parts, s)});
+      ControlWaypoint& at = waypoints.back();
+      const double time = part == parts ? samples[end].t : time_at(s);
+      at.way = direction * length / parts;
+      at.bend = shorter_turn(last_heading, pose.heading);
+      at.way_time = time - last_time;
+      last_heading = pose.heading;
+      last_time = time;
+      // Turns on the spot may be part of the way to their waypoint; what follows after another stand waits for it.
+      at.is_stand = part == parts && end + 1 < samples.size() && stands(end) && !turns(end) && samples[end + 1].direction != 0;
     }
     i = end;
   }

@@ -13,7 +13,7 @@ namespace {
 using namespace drive_test;
 
 std::vector<Plan> plans() {
-  return {judged(forklift(), forklift_path()), judged(trolley(), trolley_path()), judged(mecanum_base(), trolley_path())};
+  return {judged(forklift(), forklift_path()), judged(trolley(), trolley_path()), mecanum_plan()};
 }
 
 TEST(PlanMotion, PassesEverySampleInTimeAndKeepsTheLimitsBetween) {
@@ -40,7 +40,9 @@ TEST(PlanMotion, PassesEverySampleInTimeAndKeepsTheLimitsBetween) {
         // The way is no longer nor shorter than what the curve has between.
         EXPECT_LE(distance(a.pose.position(), b.pose.position()), b.s - a.s + 1e-9);
         EXPECT_NEAR(distance(a.pose.position(), b.pose.position()), b.s - a.s, 1e-6);
-        if (last_speed >= 0.0) EXPECT_LE(std::abs(speed - last_speed) / step, std::max(limits.acceleration, limits.deceleration) + 1e-3);
+        if (last_speed >= 0.0) {
+          EXPECT_LE(std::abs(speed - last_speed) / step, std::max(limits.acceleration, limits.deceleration) + 1e-3);
+        }
         last_speed = speed;
       }
       t += stretch.duration;
@@ -57,7 +59,9 @@ TEST(ExactControls, TheEndErrorFallsWithTheSquareOfThePeriod) {
     const ExactControls c = exact_controls(plan, period);
     EXPECT_LT(c.end.position, 0.05 * period * period / (0.05 * 0.05) * 0.01) << period;
     EXPECT_LT(c.end.heading, 1e-9) << "headings are added up exactly";
-    if (before >= 0.0) EXPECT_LT(c.deviation, 0.4 * before) << period;
+    if (before >= 0.0) {
+      EXPECT_LT(c.deviation, 0.4 * before) << period;
+    }
     before = c.deviation;
   }
   EXPECT_LT(exact_controls(plan, 0.001).end.position, 1e-6);
@@ -65,8 +69,8 @@ TEST(ExactControls, TheEndErrorFallsWithTheSquareOfThePeriod) {
 }
 
 TEST(ExactControls, LinesArcsAndTurnsAreExactAtAnyPeriod) {
-  for (const Vehicle& vehicle : {trolley(), mecanum_base()}) {
-    const Plan plan = judged(vehicle, trolley_path());
+  for (const Plan& plan : {judged(trolley(), trolley_path()), mecanum_plan()}) {
+    const Vehicle& vehicle = plan.scenario.vehicle;
     for (const double period : {0.5, 0.05, 0.013}) {
       const ExactControls c = exact_controls(plan, period);
       EXPECT_LT(c.end.position, 1e-7);
@@ -75,7 +79,9 @@ TEST(ExactControls, LinesArcsAndTurnsAreExactAtAnyPeriod) {
     }
     // Midpoint odometry cuts arcs short, by the cube of a command's turn: it shows.
     const ExactControls coarse = exact_controls(plan, 0.5);
-    if (std::holds_alternative<Differential>(vehicle.drive)) EXPECT_GT(coarse.midpoint_end.position, 1e-4);
+    if (std::holds_alternative<Differential>(vehicle.drive)) {
+      EXPECT_GT(coarse.midpoint_end.position, 1e-4);
+    }
   }
 }
 
@@ -132,6 +138,15 @@ TEST(ExactControls, TheWheelsAloneArriveWithinTheLimits) {
     EXPECT_LE(c.rows.back().t, c.plan_time + 0.05 * (c.stands + 1));
     EXPECT_GT(c.stands, 1);
   }
+}
+
+TEST(ExactControls, AMecanumBaseDrivesSideways) {
+  const Plan plan = sideways_plan();
+  const ExactControls c = exact_controls(plan, 0.05);
+  EXPECT_LT(c.deviation, 1e-9);
+  EXPECT_LT(end_error(driven_by_wheels(plan.scenario.vehicle, c), plan.samples.back().pose()).position, 1e-5);
+  const Twist& middle = c.rows[c.rows.size() / 2].twist;
+  EXPECT_GT(middle.left, middle.forward) << "mostly to its left";
 }
 
 TEST(ExactControls, AMirroredPlanHasMirroredControls) {

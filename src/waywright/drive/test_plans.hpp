@@ -5,6 +5,7 @@
 
 #include "waywright/curve/bezier.hpp"
 #include "waywright/judge/judge.hpp"
+#include "waywright/speed/speed.hpp"
 
 namespace waywright::drive_test {
 
@@ -21,12 +22,6 @@ inline Vehicle trolley() {
   v.footprint.disc = 0.4;
   v.drive = Differential{0.5};
   v.limits = {1.0, 0.6, 0.5, 0.5, 0.4, 0.8, 0.7, std::nullopt, std::nullopt};
-  return v;
-}
-
-inline Vehicle mecanum_base() {
-  Vehicle v = trolley();
-  v.drive = Mecanum{0.0475, 0.235, 0.15};
   return v;
 }
 
@@ -65,6 +60,29 @@ inline Path trolley_path(double side = 1.0) {
   const Pose at = end_pose(path);
   path.pieces.push_back({Line{at.position(), at.position() - 0.7 * unit(at.heading)}, -1});
   return path;
+}
+
+/// A mecanum base on the trolley's way. (No planner drives sideways yet, and problems of such vehicles are refused: the drive is exchanged in the judged plan.)
+inline Vehicle mecanum_base() {
+  Vehicle v = trolley();
+  v.drive = Mecanum{0.0475, 0.235, 0.15};
+  return v;
+}
+inline Plan mecanum_plan() {
+  Plan plan = judged(trolley(), trolley_path());
+  plan.scenario.vehicle = mecanum_base();
+  return plan;
+}
+/// The same base sideways, turning slowly.
+inline Plan sideways_plan() {
+  PoseSequence sequence;
+  for (int i = 0; i <= 40; ++i) sequence.poses.push_back({0.02 * i, 0.05 * i, 0.01 * i});
+  Plan plan;
+  plan.scenario.vehicle = mecanum_base();
+  plan.path = Path{{{sequence, 1}}};
+  plan.samples = sample(plan.path, 0.4, 5e-4);
+  assign_speed(plan.samples, plan.scenario.vehicle);
+  return plan;
 }
 
 /// Corners of a polyline, each turned at on the spot.

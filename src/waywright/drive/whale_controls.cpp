@@ -105,6 +105,7 @@ class SegmentSearch {
     best_.assign(dimension, 0.0);
     mean_.resize(options_.form == WhaleForm::unbiased ? dimension : 0);
     for (std::size_t i = 0; i < places_.size(); ++i) places_[i] = random.uniform(low_[i % dimension], high_[i % dimension]);
+    if (options_.warm) set_as_planned(to, triplets);
     WhaleAgents agents{low_, high_, places_, best_, infinity, mean_};
     const auto value = [&](std::size_t, std::span<const double> x) { return cost(from, to, x, agents.best_value); };
     for (std::size_t i = 0; i < size; ++i) agents.learn(i, value(i, agents.place(i)));
@@ -132,6 +133,19 @@ class SegmentSearch {
       // A turn where the vehicle stands is asked for no speed at all, but has a variable of it like any other segment.
       low_.insert(low_.end(), {to.direction == 0 ? -1e-6 : backward, -model.most_turn(), options_.least_time});
       high_.insert(high_.end(), {to.direction == 0 ? 1e-6 : forward, model.most_turn(), options_.most_time});
+    }
+  }
+
+  /// The first agent: driving in equal parts, then the turn on the spot, each by its mean.
+  void set_as_planned(const ControlWaypoint& to, std::size_t triplets) {
+    const bool turns = to.turn_time > 0.0;
+    const std::size_t parts = turns && triplets > 1 && to.way_time > 0.0 ? triplets - 1 : triplets;
+    for (std::size_t k = 0; k < triplets; ++k) {
+      const bool is_way = k < parts && to.way_time > 0.0;
+      const double time = is_way ? to.way_time : to.turn_time;
+      const double share = is_way ? 1.0 / static_cast<double>(parts) : 1.0 / static_cast<double>(to.way_time > 0.0 ? 1 : triplets);
+      const double of_triplet[numbers] = {is_way ? to.way / std::max(1e-9, time) : 0.0, (is_way ? to.bend : to.turn) / std::max(1e-9, time), time * share};
+      for (std::size_t i = 0; i < numbers; ++i) places_[numbers * k + i] = std::clamp(of_triplet[i], low_[numbers * k + i], high_[numbers * k + i]);
     }
   }
 

@@ -27,6 +27,7 @@ struct WhaleControlOptions {
   double turn_speed = 1.0;           ///< rad/s, where the vehicle names no limit
   double spacing = 1.0;              ///< m, of waypoints, at most: the publication's step of the tree *
   double clearance = 0.0;            ///< m, more than which the footprint keeps from everything *
+  bool warm = true;                  ///< one agent begins as the plan drives the segment, on the mean *
   WhaleParameters whale{};
   WhaleForm form = WhaleForm::unbiased;
 };
@@ -40,10 +41,12 @@ struct Triplet {
 struct ControlWaypoint {
   Pose pose{};             ///< the heading is that with which the path goes on from there, after turns on the spot
   int direction = 1;       ///< of driving to it; 0: a turn where the vehicle stands
-  bool is_stand = false;   ///< the vehicle stands there: the end, or where it changes its direction
+  bool is_stand = false;   ///< the vehicle stands there: the end, a change of direction, a jump of curvature for which the wheel has to be turned
   double top_speed = 0.0;  ///< m/s, of zones on the way to it; +∞ where there are none
+  /// How the plan gets there from the waypoint before: m, rad and s of driving, rad and s of turning on the spot afterwards.
+  double way = 0.0, bend = 0.0, way_time = 0.0, turn = 0.0, turn_time = 0.0;
 };
-/// Of a judged plan. Equal parts, at most `spacing` m, of every stretch without a turn on the spot or a change of direction, and the ends of these.
+/// Of a judged plan. Equal parts, at most `spacing` m, of every stretch without a turn on the spot or another stand, and the ends of these.
 std::vector<ControlWaypoint> control_waypoints(const Problem& problem, const Plan& plan, double spacing);
 
 struct ControlSegment {

@@ -26,7 +26,7 @@ Case case_of(const Vehicle& vehicle, const Path& path, const std::vector<Vec2>& 
 }
 
 /// A trolley's polyline with points beside it.
-Case trolley_case() { return case_of(trolley(), polyline({{0, 0}, {2, 0}, {3.2, 1.4}, {3.2, 3.2}, {1.5, 3.6}}), {{1.0, 0.6}, {2.6, 0.1}, {3.8, 2.0}, {2.5, 1.9}, {2.2, 2.9}}); }
+Case trolley_case() { return case_of(trolley(), polyline({{0, 0}, {2, 0}, {3.2, 1.4}, {3.2, 3.2}, {1.5, 3.6}}), {{1.0, 0.6}, {2.9, 0.1}, {3.8, 2.0}, {2.5, 1.9}, {2.2, 2.9}}); }
 
 TEST(DriveModel, FollowsWithinItsLimits) {
   Random random{1};
@@ -56,7 +56,9 @@ TEST(DriveModel, FollowsWithinItsLimits) {
         EXPECT_LE(std::abs(state.turn), *limits.angular_speed + 1e-12);
         EXPECT_LE(std::abs(state.turn - before.turn), 0.05 * *limits.angular_acceleration + 1e-12);
       }
-      if (i % 500 == 499) EXPECT_TRUE(model.stands(state));
+      if (i % 500 == 499) {
+        EXPECT_TRUE(model.stands(state));
+      }
     }
   }
 }
@@ -126,7 +128,9 @@ TEST(WhaleControls, KeepTheVehiclesLimitsWithinAndBetweenSegments) {
       EXPECT_LE(std::abs(row.twist.turn), *limits.angular_speed + 1e-9);
       // Means over steps that are at most a period long.
       EXPECT_LE(std::abs(w.rows[k + 1].twist.forward - row.twist.forward), 0.05 * std::max(limits.acceleration, limits.deceleration) + 1e-9);
-      if (limits.angular_acceleration) EXPECT_LE(std::abs(w.rows[k + 1].twist.turn - row.twist.turn), 0.05 * *limits.angular_acceleration + 1e-9);
+      if (limits.angular_acceleration) {
+        EXPECT_LE(std::abs(w.rows[k + 1].twist.turn - row.twist.turn), 0.05 * *limits.angular_acceleration + 1e-9);
+      }
     }
     // Where a segment ends, the next begins: times add up.
     double time = 0.0;

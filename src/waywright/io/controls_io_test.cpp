@@ -14,7 +14,8 @@ TEST(ControlsIo, SeriesHaveTheColumnsOfTheDriveAndReadBackToTheSameBits) {
   const std::pair<Vehicle, std::string> cases[] = {{trolley(), "t,v,w,right,left,x,y,heading"},
                                                    {mecanum_base(), "t,v,v_left,w,front_left,front_right,rear_left,rear_right,x,y,heading"}};
   for (const auto& [vehicle, header] : cases) {
-    const Plan plan = judged(vehicle, trolley_path());
+    Plan plan = judged(trolley(), trolley_path());
+    plan.scenario.vehicle = vehicle;
     const ExactControls c = exact_controls(plan, 0.05);
     const std::string csv = controls_csv(vehicle, c.rows);
     EXPECT_EQ(csv.substr(0, csv.find('\n')), header);
