@@ -33,10 +33,14 @@ PlannerDescription whale_description() {
       {.name = "restarts", .default_value = whole(o.restarts), .summary = "more searches, at most", .low = 0, .high = 1000, .whole = true},
       {.name = "triplets", .default_value = whole(o.triplets), .summary = "commands of a segment, at first", .low = 1, .high = 16, .whole = true},
       {.name = "most_triplets", .default_value = whole(o.most_triplets), .summary = "commands of a segment, at most", .low = 1, .high = 16, .whole = true},
+      {.name = "backtracks", .default_value = whole(o.backtracks), .summary = "times that segments before one that fails are searched again", .low = 0, .high = 10'000, .whole = true},
       {.name = "tolerance", .default_value = o.tolerance, .summary = "of a segment's end", .unit = "m", .low = 1e-4, .high = largest_miss},
-      {.name = "heading_tolerance", .default_value = o.heading_tolerance, .summary = "of the same", .unit = "rad", .low = 1e-4, .high = pi},
+      {.name = "aim", .default_value = o.aim, .summary = "of the same, until which searches go on", .unit = "m", .low = 1e-4, .high = largest_miss},
+      {.name = "heading_aim", .default_value = o.heading_aim, .summary = "likewise", .unit = "rad", .low = 1e-4, .high = pi},
       {.name = "heading_weight", .default_value = o.heading_weight, .summary = "w_phi", .unit = "m/rad", .low = 0, .high = 100},
       {.name = "time_weight", .default_value = o.time_weight, .summary = "w_t", .unit = "m/s", .low = 0, .high = 100},
+      {.name = "speed_weight", .default_value = o.speed_weight, .summary = "of ending faster than the plan", .unit = "s", .low = 0, .high = 100},
+      {.name = "rate_weight", .default_value = o.rate_weight, .summary = "of ending turning otherwise than the plan", .unit = "m s/rad", .low = 0, .high = 100},
       {.name = "least_time", .default_value = o.least_time, .summary = "of a command", .unit = "s", .low = 0.001, .high = 10},
       {.name = "most_time", .default_value = o.most_time, .summary = "of a command", .unit = "s", .low = 0.01, .high = 100},
       {.name = "turn_speed", .default_value = o.turn_speed, .summary = "where the vehicle names no limit", .unit = "rad/s", .low = 0.01, .high = 10},
@@ -59,8 +63,12 @@ WhaleControlOptions whale_options(const Parameters& p) {
   o.restarts = whole_number_of(p, "restarts");
   o.triplets = whole_number_of(p, "triplets");
   o.most_triplets = whole_number_of(p, "most_triplets");
+  o.backtracks = whole_number_of(p, "backtracks");
   o.tolerance = number_of(p, "tolerance");
-  o.heading_tolerance = number_of(p, "heading_tolerance");
+  o.aim = number_of(p, "aim");
+  o.heading_aim = number_of(p, "heading_aim");
+  o.speed_weight = number_of(p, "speed_weight");
+  o.rate_weight = number_of(p, "rate_weight");
   o.heading_weight = number_of(p, "heading_weight");
   o.time_weight = number_of(p, "time_weight");
   o.least_time = number_of(p, "least_time");

@@ -22,11 +22,12 @@ std::vector<ControlWaypoint> control_waypoints(const Problem& problem, const Pla
     }
     return top;
   };
-  const auto time_at = [&](double s) {
-    const auto after = std::upper_bound(samples.begin() + 1, samples.end() - 1, s, [](double value, const Sample& sample) { return value < sample.s; });
+  // Of the plan, between samples by straight interpolation: these are guesses and wishes.
+  const auto share_at = [&](double s, auto value) {
+    const auto after = std::upper_bound(samples.begin() + 1, samples.end() - 1, s, [](double at, const Sample& sample) { return at < sample.s; });
     const Sample& a = *std::prev(after);
     const double way = after->s - a.s;
-    return way > 0.0 ? a.t + (after->t - a.t) * std::clamp((s - a.s) / way, 0.0, 1.0) : a.t;
+    return way > 0.0 ? value(a) + (value(*after) - value(a)) * std::clamp((s - a.s) / way, 0.0, 1.0) : value(a);
   };
   // Stretches of one direction between turns, by samples.
   for (std::size_t i = 0; i + 1 < samples.size();) {
@@ -37,6 +38,7 @@ std::vector<ControlWaypoint> control_waypoints(const Problem& problem, const Pla
         if (waypoints.empty()) waypoints.push_back({samples[i].pose(), 0, true, infinity});
         ControlWaypoint& at = waypoints.back();
         at.pose.heading = samples[i + 1].heading;
+        at.speed = at.turn_rate = 0.0;
         at.turn += shorter_turn(samples[i].heading, samples[i + 1].heading);
         at.turn_time += samples[i + 1].t - samples[i].t;
       }
@@ -55,7 +57,9 @@ std::vector<ControlWaypoint> control_waypoints(const Problem& problem, const Pla
       const Pose pose = part == parts ? samples[end].pose() : places.at(s).pose;
       waypoints.push_back({pose, direction, false, top_between(begin + length * (part - 1.0) / parts, s)});
       ControlWaypoint& at = waypoints.back();
-      const double time = part == parts ? samples[end].t : time_at(s);
+      const double time = part == parts ? samples[end].t : share_at(s, [](const Sample& sample) { return sample.t; });
+      at.speed = part == parts ? samples[end].speed : share_at(s, [](const Sample& sample) { return sample.speed; });
+      at.turn_rate = at.speed * (part == parts ? samples[end].curvature : places.at(s).curvature);
       at.way = direction * length / parts;
       at.bend = shorter_turn(last_heading, pose.heading);
       at.way_time = time - last_time;

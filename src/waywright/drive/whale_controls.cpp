@@ -154,7 +154,8 @@ class SegmentSearch {
     DriveState state = from;
     const double time = simulation_.time_after(state, x, to.is_stand);
     const EndError end = end_error(state.pose, to.pose);
-    const double sum = end.position + options_.heading_weight * end.heading + options_.time_weight * time;
+    const double sum = end.position + options_.heading_weight * end.heading + options_.time_weight * time +
+                       options_.speed_weight * std::max(0.0, std::abs(state.v) - to.speed) + options_.rate_weight * std::abs(state.turn - to.turn_rate);
     if (!(sum < best)) return sum;  // not the best, whether it collides or not
     return simulation_.is_free(from, x, to.is_stand) ? sum : sum + collision_price;
   }
@@ -185,42 +186,62 @@ WhaleControls whale_controls(const Problem& problem, const Plan& plan, const Wha
   const Sample& first = plan.samples.front();
   const double body_curvature = first.direction * first.curvature;
   DriveState state{first.pose(), first.direction * first.speed, body_curvature * first.direction * first.speed, body_curvature};
-  controls.collision_free = controls.arrives = true;
-  controls.least_clearance = clearance_cap;
-  double t = 0.0;
+  const auto arrives = [&](const SegmentSearch::Found& f) { return f.end.position < options.tolerance; };
+  const auto serves = [&](const SegmentSearch::Found& f) { return f.is_free && f.end.position < std::min(options.aim, options.tolerance) && f.end.heading < options.heading_aim; };
+  // What arrives goes before what is cheaper.
+  const auto rank = [&](const SegmentSearch::Found& f) { return (f.is_free ? 0 : 2) + (arrives(f) ? 0 : 1); };
   std::uint64_t searches = 0;
-  for (const ControlWaypoint& to : waypoints) {
+  std::vector<DriveState> begins{state};
+  std::vector<std::size_t> failures(waypoints.size(), 0);
+  std::int64_t steps_back = 0;
+  while (controls.segments.size() < waypoints.size()) {
+    const std::size_t index = controls.segments.size();
     ControlSegment segment;
-    segment.to = to;
+    segment.to = waypoints[index];
     SegmentSearch::Found best;
-    const auto serves = [&](const SegmentSearch::Found& f) { return f.is_free && f.end.position < options.tolerance && f.end.heading < options.heading_tolerance; };
-    // What arrives goes before what is cheaper.
-    const auto rank = [&](const SegmentSearch::Found& f) { return (f.is_free ? 0 : 2) + (f.end.position < options.tolerance ? 0 : 1); };
     const std::int64_t before = search.evaluations();
     for (std::int64_t n = options.triplets; n <= std::max(options.triplets, options.most_triplets) && !serves(best); ++n) {
       for (std::int64_t attempt = 0; attempt <= options.restarts && !serves(best); ++attempt) {
-        auto found = search.search(state, to, static_cast<std::size_t>(n), Random::stream(seed, searches++));
+        auto found = search.search(begins[index], segment.to, static_cast<std::size_t>(n), Random::stream(seed, searches++));
         ++segment.searches;
         if (best.triplets.empty() || rank(found) < rank(best) || (rank(found) == rank(best) && found.cost < best.cost)) best = std::move(found);
       }
     }
+    if (rank(best) > 0 && index > 0 && steps_back < options.backtracks) {
+      // It begins where nothing leads on from: the segments before it are driven otherwise, more of them each time.
+      ++steps_back;
+      const std::size_t kept = index - std::min(index, ++failures[index]);
+      controls.segments.resize(kept);
+      begins.resize(kept + 1);
+      continue;
+    }
     segment.evaluations = search.evaluations() - before;
     for (std::size_t k = 0; k + numbers <= best.triplets.size(); k += numbers) segment.triplets.push_back({best.triplets[k], best.triplets[k + 1], best.triplets[k + 2]});
-    segment.time = simulation.drive(state, best.triplets, to.is_stand, [&](const DriveState& at, const DriveStep& step, double time) {
-      const bool is_steered = !problem.vehicle().can_turn_on_the_spot();
+    segment.end = best.end;
+    segment.collision_free = best.is_free;
+    DriveState end = begins[index];
+    segment.time = simulation.time_after(end, best.triplets, segment.to.is_stand);
+    begins.push_back(end);
+    controls.segments.push_back(std::move(segment));
+  }
+  controls.collision_free = controls.arrives = true;
+  controls.least_clearance = clearance_cap;
+  const bool is_steered = !problem.vehicle().can_turn_on_the_spot();
+  double t = 0.0;
+  std::vector<double> triplets;
+  for (const ControlSegment& segment : controls.segments) {
+    triplets.clear();
+    for (const Triplet& triplet : segment.triplets) triplets.insert(triplets.end(), {triplet.v, triplet.turn, triplet.time});
+    simulation.drive(state, triplets, segment.to.is_stand, [&](const DriveState& at, const DriveStep& step, double time) {
       controls.rows.push_back({t, {step.v, 0.0, step.turn}, is_steered ? problem.vehicle().steering_angle(at.curvature) : 0.0, at.pose});
       t += time;
       return true;
     });
-    segment.end = best.end;
-    segment.collision_free = best.is_free;
     controls.worst_end = std::max(controls.worst_end, segment.end.position);
     controls.collision_free = controls.collision_free && segment.collision_free;
     controls.arrives = controls.arrives && segment.end.position < options.tolerance;
-    controls.segments.push_back(std::move(segment));
   }
   controls.evaluations = search.evaluations();
-  const bool is_steered = !problem.vehicle().can_turn_on_the_spot();
   controls.rows.push_back({t, {}, is_steered ? problem.vehicle().steering_angle(state.curvature) : 0.0, state.pose});
   for (const ControlRow& row : controls.rows) {
     controls.least_clearance = std::min(controls.least_clearance, problem.world().least_clearance(problem.footprint(), row.pose, controls.least_clearance));

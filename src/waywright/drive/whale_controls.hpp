@@ -18,10 +18,14 @@ struct WhaleControlOptions {
   std::int64_t restarts = 5;         ///< more searches with the same number of commands, at most
   std::int64_t triplets = 2;         ///< commands of a segment, at first
   std::int64_t most_triplets = 4;    ///< one more at a time, where that does not do *
+  std::int64_t backtracks = 10;      ///< times that segments before one that fails are searched again, in all *
   double tolerance = 0.10;           ///< m, of a segment's end
-  double heading_tolerance = 0.20;   ///< rad, of the same; missing it costs searches, but is no failure *
+  double aim = 0.05;                 ///< m, of the same: searches go on until a segment ends so near; farther off is no failure *
+  double heading_aim = 0.10;         ///< rad, likewise *
   double heading_weight = 0.2;       ///< [w_φ] m/rad
   double time_weight = 0.02;         ///< [w_t] m/s
+  double speed_weight = 0.5;         ///< m per m/s by which a segment ends faster than the plan is there: what follows could not be driven *
+  double rate_weight = 0.1;          ///< m per rad/s by which it ends turning otherwise than the plan *
   double least_time = 0.1;           ///< s, of a command
   double most_time = 4.0;            ///< s
   double turn_speed = 1.0;           ///< rad/s, where the vehicle names no limit
@@ -43,6 +47,7 @@ struct ControlWaypoint {
   int direction = 1;       ///< of driving to it; 0: a turn where the vehicle stands
   bool is_stand = false;   ///< the vehicle stands there: the end, a change of direction, a jump of curvature for which the wheel has to be turned
   double top_speed = 0.0;  ///< m/s, of zones on the way to it; +∞ where there are none
+  double speed = 0.0, turn_rate = 0.0;  ///< of the plan where the segment ends: m/s, ≥ 0, and rad/s
   /// How the plan gets there from the waypoint before: m, rad and s of driving, rad and s of turning on the spot afterwards.
   double way = 0.0, bend = 0.0, way_time = 0.0, turn = 0.0, turn_time = 0.0;
 };
@@ -66,15 +71,15 @@ struct WhaleControls {
   EndError end;
   double worst_end = 0.0;         ///< m, of the segments
   double least_clearance = 0.0;   ///< m, at the rows' poses, at most 10
-  std::int64_t evaluations = 0;
+  std::int64_t evaluations = 0;   ///< of all searches, those given up too
   bool collision_free = false;
   bool arrives = false;           ///< no segment's end is off by `tolerance` or more
 };
 
 /// One search a segment for commands (v, ω, t)ⁿ, from the state in which the last segment's simulation ended. Cost
-///   ‖p − x‖ + w_φ |φ − φ_next| + w_t Σt + 10 [collides],
+///   ‖p − x‖ + w_φ |φ − φ_next| + w_t Σt + 10 [collides] + w_v max(0, |v| − v_plan) + w_ω |ω − ω_plan|,
 /// p by midpoint odometry over steps of `period`, the vehicle following its commands within its limits (drive_model.hpp), so that speeds are continuous within segments
-/// and between them. Beyond the publication: the last segment is asked for the goal's heading; backwards segments have v ≤ 0; where the vehicle is to
+/// and between them. Beyond the publication: the last two terms; the last segment is asked for the goal's heading; backwards segments have v ≤ 0; where the vehicle is to
 /// stand it brakes after the last command; a waypoint on a bend has the bend's heading. Collisions are looked for where a candidate would be the best.
 /// Same plan, options, seed: the same bits.
 /// @pre a plan without legs that verifies against the problem; the problem has no pocket

@@ -166,10 +166,10 @@ TEST(WhaleControls, ASeedGivesTheSameBits) {
 TEST(WhaleControls, SayWhereATrackTouchesOrMisses) {
   // More room than there is: whatever is driven comes too near to a point.
   const Case c = case_of(trolley(), polyline({{0, 0}, {2, 0}}), {{1.0, 0.6}, {1.0, -0.6}});
-  const WhaleControls w = whale_controls(c.problem, c.plan, {.iterations = 20, .restarts = 0, .most_triplets = 2, .clearance = 0.3}, 0.05, 1);
+  const WhaleControls w = whale_controls(c.problem, c.plan, {.iterations = 20, .restarts = 0, .most_triplets = 2, .backtracks = 2, .clearance = 0.3}, 0.05, 1);
   EXPECT_FALSE(w.collision_free && w.arrives);
   // Too little time to get there.
-  const WhaleControls slow = whale_controls(c.problem, c.plan, {.iterations = 20, .restarts = 0, .most_triplets = 2, .most_time = 0.5, .spacing = 2.0}, 0.05, 1);
+  const WhaleControls slow = whale_controls(c.problem, c.plan, {.iterations = 20, .restarts = 0, .most_triplets = 2, .backtracks = 2, .most_time = 0.5, .spacing = 2.0}, 0.05, 1);
   EXPECT_FALSE(slow.arrives);
   EXPECT_GT(slow.worst_end, 0.10);
   EXPECT_GT(slow.end.position, 0.10);
