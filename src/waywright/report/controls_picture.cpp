@@ -9,7 +9,7 @@
 namespace waywright {
 namespace {
 
-constexpr double width = 860.0, height = 190.0, title_height = 34.0, gap = 10.0, legend_line = 18.0;  // px
+constexpr double width = 860.0, height = 190.0, title_height = 44.0, gap = 10.0, legend_line = 18.0;  // px
 constexpr double degrees = 180.0 / pi;
 
 /// Each command holds until the next: two points each.
@@ -79,7 +79,8 @@ std::string controls_svg(const Vehicle& vehicle, const std::string& title, std::
   }
   return fmt::format(
       "<svg class=\"ww\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\"><style>{2}</style><title>{3}</title>"
-      "<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/><text class=\"title\" x=\"58\" y=\"22\">{3}</text>\n{4}</svg>\n",
+      "<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/><text class=\"title\" x=\"58\" y=\"18\">{3}</text>"
+      "<text class=\"small\" x=\"58\" y=\"34\">orange ground: backwards, blue ground: forwards, none: the vehicle stands or turns on the spot</text>\n{4}</svg>\n",
       fixed(width), fixed(below), picture_styles(), escaped(title), body);
 }
 
