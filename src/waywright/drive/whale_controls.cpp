@@ -174,18 +174,44 @@ class SegmentSearch {
   std::int64_t evaluations_ = 0;
 };
 
+/// Rows and figures of segments that are settled, driven from `state` on.
+void add_up(WhaleControls& controls, const Problem& problem, const Simulation& simulation, DriveState state, double tolerance) {
+  const Vehicle& vehicle = problem.vehicle();
+  const auto steering = [&](const DriveState& at) { return vehicle.can_turn_on_the_spot() ? 0.0 : vehicle.steering_angle(at.curvature); };
+  controls.collision_free = controls.arrives = true;
+  double t = 0.0;
+  std::vector<double> triplets;
+  for (const ControlSegment& segment : controls.segments) {
+    triplets.clear();
+    for (const Triplet& triplet : segment.triplets) triplets.insert(triplets.end(), {triplet.v, triplet.turn, triplet.time});
+    simulation.drive(state, triplets, segment.to.is_stand, [&](const DriveState& before, const DriveStep& step, double time) {
+      controls.rows.push_back({t, {step.v, 0.0, step.turn}, steering(before), before.pose});
+      t += time;
+      return true;
+    });
+    controls.worst_end = std::max(controls.worst_end, segment.end.position);
+    controls.collision_free = controls.collision_free && segment.collision_free;
+    controls.arrives = controls.arrives && segment.end.position < tolerance;
+  }
+  controls.rows.push_back({t, {}, steering(state), state.pose});
+  controls.least_clearance = clearance_cap;
+  for (const ControlRow& row : controls.rows) {
+    controls.least_clearance = std::min(controls.least_clearance, problem.world().least_clearance(problem.footprint(), row.pose, controls.least_clearance));
+  }
+}
+
 }  // namespace
 
 WhaleControls whale_controls(const Problem& problem, const Plan& plan, const WhaleControlOptions& options, double period, std::uint64_t seed) {
   WhaleControls controls;
   controls.period = period;
   const std::vector<ControlWaypoint> waypoints = control_waypoints(problem, plan, options.spacing);
-  if (waypoints.empty()) return controls;
+  if (plan.samples.empty()) return controls;
   const Simulation simulation{problem, options, period};
   SegmentSearch search{simulation, options};
   const Sample& first = plan.samples.front();
   const double body_curvature = first.direction * first.curvature;
-  DriveState state{first.pose(), first.direction * first.speed, body_curvature * first.direction * first.speed, body_curvature};
+  const DriveState state{first.pose(), first.direction * first.speed, body_curvature * first.direction * first.speed, body_curvature};
   const auto arrives = [&](const SegmentSearch::Found& f) { return f.end.position < options.tolerance; };
   const auto serves = [&](const SegmentSearch::Found& f) { return f.is_free && f.end.position < std::min(options.aim, options.tolerance) && f.end.heading < options.heading_aim; };
   // What arrives goes before what is cheaper.
@@ -224,29 +250,9 @@ WhaleControls whale_controls(const Problem& problem, const Plan& plan, const Wha
     begins.push_back(end);
     controls.segments.push_back(std::move(segment));
   }
-  controls.collision_free = controls.arrives = true;
-  controls.least_clearance = clearance_cap;
-  const bool is_steered = !problem.vehicle().can_turn_on_the_spot();
-  double t = 0.0;
-  std::vector<double> triplets;
-  for (const ControlSegment& segment : controls.segments) {
-    triplets.clear();
-    for (const Triplet& triplet : segment.triplets) triplets.insert(triplets.end(), {triplet.v, triplet.turn, triplet.time});
-    simulation.drive(state, triplets, segment.to.is_stand, [&](const DriveState& at, const DriveStep& step, double time) {
-      controls.rows.push_back({t, {step.v, 0.0, step.turn}, is_steered ? problem.vehicle().steering_angle(at.curvature) : 0.0, at.pose});
-      t += time;
-      return true;
-    });
-    controls.worst_end = std::max(controls.worst_end, segment.end.position);
-    controls.collision_free = controls.collision_free && segment.collision_free;
-    controls.arrives = controls.arrives && segment.end.position < options.tolerance;
-  }
   controls.evaluations = search.evaluations();
-  controls.rows.push_back({t, {}, is_steered ? problem.vehicle().steering_angle(state.curvature) : 0.0, state.pose});
-  for (const ControlRow& row : controls.rows) {
-    controls.least_clearance = std::min(controls.least_clearance, problem.world().least_clearance(problem.footprint(), row.pose, controls.least_clearance));
-  }
-  controls.end = end_error(state.pose, plan.samples.back().pose());
+  add_up(controls, problem, simulation, state, options.tolerance);
+  controls.end = end_error(controls.rows.back().pose, plan.samples.back().pose());
   return controls;
 }
 

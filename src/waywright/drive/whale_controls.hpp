@@ -82,6 +82,7 @@ struct WhaleControls {
 /// and between them. Beyond the publication: the last two terms; the last segment is asked for the goal's heading; backwards segments have v ≤ 0; where the vehicle is to
 /// stand it brakes after the last command; a waypoint on a bend has the bend's heading. Collisions are looked for where a candidate would be the best.
 /// Same plan, options, seed: the same bits.
+/// A plan that goes nowhere has no segments and one row, which stands.
 /// @pre a plan without legs that verifies against the problem; the problem has no pocket
 WhaleControls whale_controls(const Problem& problem, const Plan& plan, const WhaleControlOptions& options, double period, std::uint64_t seed);
 

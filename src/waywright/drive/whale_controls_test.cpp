@@ -175,6 +175,16 @@ TEST(WhaleControls, SayWhereATrackTouchesOrMisses) {
   EXPECT_GT(slow.end.position, 0.10);
 }
 
+TEST(WhaleControls, APlanThatGoesNowhereStands) {
+  Case c = case_of(trolley(), polyline({{0, 0}, {1, 0}}));
+  c.plan.samples = {c.plan.samples.front(), c.plan.samples.front()};
+  const WhaleControls w = whale_controls(c.problem, c.plan, {}, 0.05, 1);
+  EXPECT_TRUE(w.segments.empty());
+  ASSERT_EQ(w.rows.size(), 1U);
+  EXPECT_EQ(w.rows.front().pose, c.plan.samples.front().pose());
+  EXPECT_EQ(exact_controls(c.plan, 0.05).rows.size(), 1U);
+}
+
 TEST(WhaleControls, MoreTripletsWhereTwoDoNotDo) {
   // A turn on the spot by three quarters of a circle, slowly: one command cannot last long enough.
   Vehicle slow = trolley();
