@@ -12,7 +12,7 @@ install(TARGETS ${targets} EXPORT waywright ARCHIVE DESTINATION ${CMAKE_INSTALL_
 install(TARGETS waywright RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS waywright_external_ompl EXPORT waywright)
 install(DIRECTORY src/waywright DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp" PATTERN "docking.h"
-        PATTERN "fixture_stations.hpp" EXCLUDE PATTERN "test_paths.hpp" EXCLUDE PATTERN "test_drawing.hpp" EXCLUDE
+        PATTERN "fixture_stations.hpp" EXCLUDE PATTERN "test_paths.hpp" EXCLUDE PATTERN "test_drawing.hpp" EXCLUDE PATTERN "test_plans.hpp" EXCLUDE
         PATTERN "dxf_module.h" EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/generated/waywright/core/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/waywright/core)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/waywright)

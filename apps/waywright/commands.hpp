@@ -74,6 +74,17 @@ struct ReplanArguments {
 };
 int replan(const ReplanArguments& arguments);
 
+struct ControlsArguments {
+  std::filesystem::path plan;
+  std::optional<std::filesystem::path> out;
+  std::string period = "0.05";    ///< s
+  std::string method = "exact";   ///< or "woa"
+  std::vector<std::string> set;
+  std::optional<std::uint64_t> seed;
+  bool json = false;
+};
+int controls(const ControlsArguments& arguments);
+
 struct ImportArguments {
   std::filesystem::path path, scenario;
   std::optional<std::filesystem::path> out;

@@ -55,6 +55,17 @@ int run(int argc, char** argv) {
   replan_command->add_flag("--json", replan_arguments.json, "plan.json on standard output and nothing else there");
   replan_command->callback([&] { status = replan(replan_arguments); });
 
+  ControlsArguments controls_arguments;
+  auto* controls_command = app.add_subcommand("controls", "speeds, turning rates and wheel speeds that drive a plan; writes controls.json, controls.csv and controls.svg");
+  controls_command->add_option("PLAN", controls_arguments.plan, "plan.json")->required();
+  controls_command->add_option("-o,--out", controls_arguments.out, "folder to write to (default: waywright-out/NAME-controls)");
+  controls_command->add_option("--period", controls_arguments.period, "s, of a command, or of the simulation's steps (default: 0.05)");
+  controls_command->add_option("--method", controls_arguments.method, "exact: the plan's own motion; woa: searched from waypoint to waypoint (default: exact)");
+  controls_command->add_option("--set", controls_arguments.set, "KEY=VALUE, a parameter of woa; may be repeated");
+  controls_command->add_option("--seed", controls_arguments.seed, "of woa (default: 1)");
+  controls_command->add_flag("--json", controls_arguments.json, "controls.json on standard output and nothing else there");
+  controls_command->callback([&] { status = controls(controls_arguments); });
+
   ImportArguments import_arguments;
   auto* import_command = app.add_subcommand("import", "judge anyone's poses: a CSV with x, y, heading and direction");
   import_command->add_option("PATH", import_arguments.path, "CSV of poses")->required();
@@ -141,7 +152,7 @@ int run(int argc, char** argv) {
     auto* command = app.add_subcommand(later, "not supported yet");
     command->allow_extras();
     command->callback([&status, later] {
-      status = complain({"", std::string{"command "} + later, "it is not supported yet", "plan, replan, verify, import, compare, check, pareto, reproduce, list, map, generate"});
+      status = complain({"", std::string{"command "} + later, "it is not supported yet", "plan, replan, verify, controls, import, compare, check, pareto, reproduce, list, map, generate"});
     });
   }
 

@@ -63,6 +63,13 @@ inline WhaleStep whale_step(const WhaleParameters& parameters, double reach, con
   return {std::abs(a) < parameters.threshold ? WhaleMove::encircle : WhaleMove::search, a, 2.0 * draws.r2};
 }
 
+/// Where C counts coordinates from, and whether variables draw numbers of their own.
+enum class WhaleForm {
+  published,  ///< from the middle of the bounds; all variables of an agent move by the same numbers. Draws it to the middle, and along diagonals: off the middle it
+              ///< is worse by orders of magnitude (docs/controls.md has figures)
+  unbiased    ///< from the mean of all agents; each variable has its own sign of A and its own l. Ours
+};
+
 /// Moves agent x: encircle, search: x ← target − A |C target − x|; spiral: x ← target + e^{bl} cos(2πl) |target − x|, all from the middle of the
 /// bounds; then clamped. The target is the best place so far for encircle and spiral, another agent's for search; it may be x itself.
 /// @pre all of one length, low ≤ high
@@ -79,6 +86,25 @@ inline void make_whale_step(const WhaleStep& step, std::span<const double> targe
     const double wanted = t[k] + factor * from_target;
     const double above = wanted < lo[k] ? lo[k] : wanted;  // plain, so that the compiler makes vectors of it
     at[k] = above > hi[k] ? hi[k] : above;
+  }
+}
+
+/// The unbiased form: the same with coordinates from `origin`, and for each variable a sign of A or a place on the spiral of its own.
+/// Law: moving bounds, origin, target and agent by a vector moves the result by it (to rounding), wherever in the bounds they are.
+/// @pre as above
+inline void make_unbiased_whale_step(const WhaleParameters& parameters, const WhaleStep& step, std::span<const double> target, std::span<const double> origin,
+                                     std::span<const double> low, std::span<const double> high, std::span<double> x, Random& random) {
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    double factor = 0.0;
+    const double drawn = random.uniform(-1.0, 1.0);
+    if (step.move == WhaleMove::spiral) {
+      factor = exponential(parameters.spiral * drawn) * sin_cos(2.0 * std::numbers::pi * drawn).cos;
+    } else {
+      factor = drawn < 0.0 ? step.factor : -step.factor;
+    }
+    const double wanted = target[k] + factor * std::abs(step.scale * (target[k] - origin[k]) - (x[k] - origin[k]));
+    const double above = wanted < low[k] ? low[k] : wanted;
+    x[k] = above > high[k] ? high[k] : above;
   }
 }
 

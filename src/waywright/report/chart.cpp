@@ -99,8 +99,8 @@ std::string chart_svg(const Chart& chart, double width, double height) {
         "x=\"{0}\" y=\"{3}\">{4}</text>\n",
         fixed(x_of(s)), fixed(top), fixed(top + plot_height), fixed(top + plot_height + 16), fixed(s));
   }
-  out += fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">s in m</text>", fixed(4.0),
-                     fixed(top + plot_height + 16));
+  out += fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">{}</text>", fixed(4.0),
+                     fixed(top + plot_height + 16), escaped(chart.axis));
   const auto points_of = [&](const std::vector<double>& s, const std::vector<double>& values) {
     std::string points;
     for (std::size_t i = 0; i < s.size(); ++i) points += fixed(x_of(s[i])) + "," + fixed(y_of(values[i])) + " ";

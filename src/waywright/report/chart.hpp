@@ -1,4 +1,4 @@
-// Line charts along the path.
+// Line charts along the path, or in time.
 #pragma once
 
 #include <string>
@@ -27,6 +27,7 @@ struct Chart {
   std::vector<double> stops;       ///< s of marks across the plot
   std::vector<ChartLimit> borders{};  ///< s at which a part begins, with its name at the plot's upper edge
   std::vector<ChartSeries> series;
+  std::string axis = "s in m";  ///< what is to the right
 };
 
 std::string chart_svg(const Chart& chart, double width, double height);

@@ -14,6 +14,7 @@
 #include "waywright/optimizer/pagmo/chaotic_swarm.hpp"
 #include "waywright/optimizer/pagmo/genetic.hpp"
 #include "waywright/optimizer/pagmo/search.hpp"
+#include "waywright/optimizer/pagmo/whale.hpp"
 
 namespace waywright {
 namespace {
@@ -93,6 +94,11 @@ OptimizerDescription describe(std::string name, std::string summary, MakeAlgorit
           }};
 }
 
+pagmo::algorithm whale(const Setting& set, WhaleForm form) {
+  // One more generation than there are evaluations for is asked of all algorithms; this one has to know when it ends.
+  return pagmo::algorithm{WhaleAlgorithm{std::max(1U, set.generations - 1), set.seed, {}, form}};
+}
+
 }  // namespace
 
 std::vector<OptimizerDescription> pagmo_optimizers() {
@@ -122,6 +128,10 @@ std::vector<OptimizerDescription> pagmo_optimizers() {
                  return pagmo::algorithm{ChaoticSwarm{std::max(1U, set.generations / ChaoticSwarm::evaluations_a_move), set.seed}};
                },
                0, 2),
+      describe("woa", "whale optimisation algorithm as published: encircles the best, searches about others, spirals; a from 2 to 0, b = 1, thresholds 0.5 and 1; drawn to the middle",
+               [](const Setting& set) { return whale(set, WhaleForm::published); }, 0, 2),
+      describe("woa_unbiased", "the same about the mean of its agents, each variable with signs and spirals of its own: no place is preferred",
+               [](const Setting& set) { return whale(set, WhaleForm::unbiased); }, 0, 2),
       describe("pso", "particle swarm: constriction 0.7298, c1 = c2 = 2.05, speed at most half the range",
                [](const Setting& set) {
                  return pagmo::algorithm{pagmo::pso{set.generations, 0.7298, 2.05, 2.05, 0.5, 5, 1, 4, false, set.seed}};

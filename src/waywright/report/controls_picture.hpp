@@ -1,0 +1,14 @@
+// What is commanded to drive a plan, as a picture.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "waywright/drive/controls.hpp"
+
+namespace waywright {
+
+/// controls.svg: v and ω over time with their limits, below them what the wheels do. Stands alone.
+std::string controls_svg(const Vehicle& vehicle, const std::string& title, std::span<const ControlRow> rows);
+
+}  // namespace waywright

@@ -1,0 +1,114 @@
+// `waywright controls` as a user runs it: files, figures, exit statuses, what is refused.
+#include "command_line.hpp"
+
+#include <cmath>
+
+namespace waywright::test {
+namespace {
+
+class Controls : public CommandLine {
+ protected:
+  /// Plans into the folder; the plan's name there.
+  std::string planned(const std::string& scenario, const std::string& more = "") const {
+    const Outcome o = run("plan '" + scenario + "' -o p " + more);
+    EXPECT_EQ(o.status, 0) << o.out << o.err;
+    return "p/plan.json";
+  }
+  std::vector<double> column(const Json& controls, const char* name) const { return controls["series"][name].get<std::vector<double>>(); }
+};
+
+TEST_F(Controls, ExactOfADockingPlan) {
+  const std::string plan = planned(example("dock_middle.json"));
+  const Outcome o = run("controls " + plan + " -o c");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_NE(o.out.find("end error"), std::string::npos);
+  EXPECT_NE(o.out.find("written: c/controls.json, c/controls.csv, c/controls.svg"), std::string::npos) << o.out;
+  const Json j = Json::parse(slurp(folder_ / "c/controls.json")), p = Json::parse(slurp(folder_ / plan));
+  EXPECT_EQ(j["format"], "waywright-controls/1");
+  EXPECT_EQ(j["method"], "exact");
+  EXPECT_EQ(j["vehicle"]["drive"]["type"], "tricycle");
+  EXPECT_LT(j["end_error"]["position"].get<double>(), 1e-3);
+  const auto t = column(j, "t"), v = column(j, "v"), steering = column(j, "steering"), x = column(j, "x"), y = column(j, "y");
+  ASSERT_EQ(t.size(), x.size());
+  EXPECT_NEAR(t[1] - t[0], 0.05, 1e-12);
+  EXPECT_EQ(v.back(), 0.0);
+  EXPECT_NEAR(x.back(), p["path"]["samples"]["x"].back().get<double>(), 1e-3);
+  EXPECT_NEAR(y.back(), p["path"]["samples"]["y"].back().get<double>(), 1e-3);
+  EXPECT_LT(*std::min_element(v.begin(), v.end()), -0.2) << "the docking pattern backs out";
+  EXPECT_GT(*std::max_element(v.begin(), v.end()), 0.2);
+  // The CSV holds the same numbers, a line a command.
+  const std::string csv = slurp(folder_ / "c/controls.csv");
+  EXPECT_EQ(csv.substr(0, csv.find('\n')), "t,v,w,steering,wheel,x,y,heading");
+  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), t.size() + 1);
+  EXPECT_EQ(slurp(folder_ / "c/controls.svg").substr(0, 4), "<svg");
+  // On standard output the same file, and the error shrinks with the period.
+  const Outcome again = run("controls " + plan + " --json");
+  EXPECT_EQ(again.out, slurp(folder_ / "c/controls.json"));
+  const Outcome finer = run("controls " + plan + " --json --period 0.01");
+  EXPECT_LT(Json::parse(finer.out)["figures"]["greatest_deviation"].get<double>(), 0.1 * j["figures"]["greatest_deviation"].get<double>());
+}
+
+TEST_F(Controls, WhalesDriveTheDifferentialExample) {
+  const std::string plan = planned(example("grid_tugger.json"));
+  const Outcome o = run("controls " + plan + " --method woa -o c");
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
+  const Json j = Json::parse(slurp(folder_ / "c/controls.json"));
+  EXPECT_EQ(j["method"], "woa");
+  EXPECT_EQ(j["seed"], 1);
+  EXPECT_EQ(j["parameters"]["population"], 30.0);
+  EXPECT_TRUE(j["collision_free"].get<bool>());
+  EXPECT_TRUE(j["arrives"].get<bool>());
+  EXPECT_GT(j["segments"].size(), 10U);
+  for (const Json& segment : j["segments"]) {
+    EXPECT_LT(segment["end_error"]["position"].get<double>(), 0.10);
+    EXPECT_TRUE(segment["collision_free"].get<bool>());
+    EXPECT_GE(segment["triplets"].size(), 2U);
+  }
+  EXPECT_LT(j["end_error"]["position"].get<double>(), 0.10);
+  EXPECT_TRUE(j["series"].contains("right"));
+  EXPECT_EQ(run("controls " + plan + " --method woa --json").out, slurp(folder_ / "c/controls.json")) << "same seed, same bits";
+  EXPECT_NE(run("controls " + plan + " --method woa --json --seed 2 --set iterations=10").out, slurp(folder_ / "c/controls.json"));
+}
+
+TEST_F(Controls, MissesAreStatusOne) {
+  const std::string plan = planned(example("grid_tugger.json"));
+  const Outcome o = run("controls " + plan + " --method woa --set population=2 --set iterations=1 --set restarts=0 --set most_triplets=2 -o c");
+  EXPECT_EQ(o.status, 1) << o.out;
+  EXPECT_TRUE(fs::exists(folder_ / "c/controls.json"));
+}
+
+TEST_F(Controls, MissionsInLegsAreDrivenExactly) {
+  const std::string plan = planned(example("mission_warehouse.json"));
+  const Outcome o = run("controls " + plan + " -o c");
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
+  EXPECT_LT(Json::parse(slurp(folder_ / "c/controls.json"))["end_error"]["position"].get<double>(), 1e-3);
+  refused(run("controls " + plan + " --method woa"), {"p/plan.json", "legs", "woa", "--method exact"});
+}
+
+TEST_F(Controls, RefusesWhatItCannotUse) {
+  const std::string plan = planned(example("goal_pose.json"));
+  refused(run("controls nowhere.json"), {"nowhere.json"});
+  refused(run("controls " + plan + " --method best"), {"--method", "best", "exact, woa"});
+  for (const char* period : {"0", "-1", "2", "nan", "soon", "0.0001"}) refused(run("controls " + plan + " --period " + period), {"--period", period, "0.001 to 1"});
+  refused(run("controls " + plan + " --set population=3"), {"--set", "exact"});
+  refused(run("controls " + plan + " --seed 3"), {"--seed", "exact"});
+  refused(run("controls " + plan + " --method woa --set whales=3"), {"--set whales", "woa", "population"});
+  refused(run("controls " + plan + " --method woa --set population=1"), {"--set population", "1 is out of range", "2 to 10000"});
+  refused(run("controls " + plan + " --method woa --set population=3 --set population=4"), {"--set population", "twice"});
+  refused(run("controls " + plan + " --method woa --set least_time=5"), {"least_time", "most_time"});
+  refused(run("controls " + plan + " --method woa --set triplets=5"), {"triplets", "most_triplets"});
+  // Plans without a path, and such as are not what they claim.
+  Json p = Json::parse(slurp(folder_ / plan));
+  Json none = p;
+  none["path"] = none["metrics"] = none["certificate"] = nullptr;
+  none["status"] = "no_path";
+  none["reason"] = "there is no way";
+  refused(run("controls " + write(none, "none.json")), {"none.json", "path", "no_path"});
+  Json moved = p;
+  moved["path"]["samples"]["x"][3] = moved["path"]["samples"]["x"][3].get<double>() + 0.1;
+  refused(run("controls " + write(moved, "moved.json")), {"moved.json", "not proven"});
+  refused(run("controls " + example("goal_pose.json")), {"format"});
+}
+
+}  // namespace
+}  // namespace waywright::test
