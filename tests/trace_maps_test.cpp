@@ -142,6 +142,7 @@ TEST_F(CommandLine, MapsAreTraced) {
 TEST_F(CommandLine, AScenarioMayTraceItsMap) {
   Json s = Json::parse(slurp(example("grid_warehouse.json")));
   s["map"]["ros"] = example("warehouse.yaml");
+  s["vehicle"] = example("vehicles/disc_robot.json");
   s["planner"] = {{"name", "astar"}, {"neighbours", 8}};
   const auto cells = run("plan " + write(s, "c.json") + " -o c");
   s["map"]["trace"] = 0.1;
