@@ -10,6 +10,7 @@
 
 #include "waywright/core/result.hpp"
 #include "waywright/dxf/floor_plan.hpp"
+#include "waywright/io/scenario_io.hpp"
 
 namespace waywright::app {
 
@@ -135,6 +136,7 @@ struct MapArguments {
   std::optional<std::filesystem::path> overlay;  ///< a map that is drawn below this one
   std::string overlay_unit;                      ///< of a DXF there
   std::optional<std::filesystem::path> picture;  ///< SVG to write
+  CellMapOptions cells;
 };
 int map(const MapArguments& arguments);
 

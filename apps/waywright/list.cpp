@@ -78,6 +78,8 @@ int list(const std::string& what) {
     text += line("ros", "ROS map_server yaml with pgm or png");
     text += line("image", "pgm or png with a resolution");
     text += line("dxf", "floor plan from CAD");
+    text += line("svg", "drawing of straight lines");
+    text += line("rmf", "walls of an Open-RMF building");
     text += line("cells", "occupancy cells inlined by run lengths");
     text += line("movingai", "a map of MovingAI's benchmarks");
     text += line("generate", fmt::format("a map of a publication, as reconstructed: {}; {}", fmt::join(published_map_names(), ", "), fmt::join(whale_map_names(), ", ")));

@@ -110,7 +110,7 @@ int run(int argc, char** argv) {
 
   MapArguments map_arguments;
   auto* map_command = app.add_subcommand("map", "what a map file holds; with -o it is written as map.json");
-  map_command->add_option("FILE", map_arguments.file, "ROS yaml, map.json or DXF drawing")->required();
+  map_command->add_option("FILE", map_arguments.file, "ROS yaml, map.json, PNG or PGM picture, DXF or SVG drawing, MovingAI map")->required();
   map_command->add_option("-o,--out", map_arguments.out, "map.json to write");
   map_command->add_option("--align", map_arguments.align,
                           "X,Y=X,Y: a point on the map and where it lies in the world; two or more place the map, and their residuals are told");
@@ -123,6 +123,10 @@ int run(int argc, char** argv) {
           ->check(CLI::Range(waywright::dxf::least_tolerance, waywright::dxf::most_tolerance)),
       map_command->add_option("--closing", map_arguments.drawing.closing, "m, of a DXF: outlines are closed over gaps up to this (default: 0.01)")
           ->check(CLI::Range(0.0, waywright::dxf::most_closing))};
+  map_command->add_option("--resolution", map_arguments.cells.resolution, "m a pixel, of a picture");
+  map_command->add_option("--trace", map_arguments.cells.trace, "TOLERANCE in m, at least half a cell: polygons in place of cells, which hold every blocked cell and reach no farther beyond");
+  map_command->add_option("--trace-relative", map_arguments.cells.trace_relative, "with --trace: of each polygon this share of its outline's length is the tolerance, where that is less (0.02, say)");
+  map_command->add_option("--dilate", map_arguments.cells.dilate, "with --trace: METRES by which blocked cells grow before");
   map_command->add_option("--overlay", map_arguments.overlay, "a map (ROS yaml, map.json, DXF) drawn in the same picture, as it lies in the world");
   map_command->add_option("--overlay-unit", map_arguments.overlay_unit, "of a DXF that --overlay names: mm, cm, m, in, ft (default: as the drawing says)");
   map_command->add_option("--picture", map_arguments.picture, "FILE.svg to write: the map, and what --overlay names");

@@ -146,7 +146,7 @@ int map(const MapArguments& arguments) {
   }
   dxf::Options drawing = arguments.drawing;
   drawing.obstacle_layers = names_from(arguments.obstacle_layers);
-  auto map = read_map(arguments.file, pairs, drawing);
+  auto map = read_map(arguments.file, pairs, drawing, nullptr, arguments.cells);
   if (!map) return complain(map.error());
   if (const auto doubt = alignment_doubt(*map, pairs)) note_all({}, {*doubt});
   std::optional<Map> below;

@@ -9,7 +9,10 @@
 #include "tests/fuzz/target.hpp"
 #include "waywright/io/image.hpp"
 #include "waywright/io/map_io.hpp"
+#include "waywright/io/rmf_map.hpp"
+#include "waywright/io/svg_map.hpp"
 #include "waywright/io/test_files.hpp"
+#include "waywright/map/trace.hpp"
 
 namespace waywright::fuzz {
 namespace {
@@ -80,6 +83,101 @@ Outcome run_movingai(const std::string& bytes) {
   const auto again = decode_movingai_map(written, "again.map", 0.5);
   require(again.has_value() && again->grid.blocked == grid.blocked && again->grid.columns == grid.columns, "a map written reads back the same");
   return Outcome::accepted;
+}
+
+Outcome run_svg(const std::string& bytes) {
+  const auto map = decode_svg_map(bytes, "scene.svg", 0.5);
+  if (!map) {
+    require_sentence(map.error());
+    return Outcome::refused;
+  }
+  require(map->obstacles.size() + map->lines.size() > 0, "a map holds something");
+  for (const Ring& ring : map->obstacles) {
+    const RingRepair again = repair_ring(ring);
+    require(!again.refused && again.mended.empty(), "polygons are simple and counter-clockwise");
+  }
+  for (const Polyline& line : map->lines) {
+    require(line.size() > 1 && std::all_of(line.begin(), line.end(), [](Vec2 p) { return is_finite(p); }), "lines have two finite points or more");
+  }
+  return Outcome::accepted;
+}
+
+std::vector<std::string> svg_seeds() {
+  return {"<svg viewBox='0 0 10 8'><g id='a' transform='translate(-1,2) rotate(30 1 1) scale(.5)'><path style='fill:#c7c7c7' d='m 1,1 2,-.5 h 3 l 1e0,4 v 1 z'/><rect x='1' y='2' width='3' height='1'/></g>"
+          "<polygon points='5,5 6,5 6,6'/><line x1='0' y1='0' x2='10' y2='8'/><polyline fill='none' points='0 0 1 1 2 0'/><text>a</text></svg>",
+          "<?xml version='1.0' encoding='UTF-8'?>\n<!-- made by hand -->\n<svg xmlns='http://www.w3.org/2000/svg' xmlns:e='e'><e:view a='1'/><defs><circle r='1'/></defs>"
+          "<g transform='matrix(1 0 1 1 0 0) skewX(10)'><path d='M0 0H1V1H0ZM5 5h1v1z'/></g></svg>"};
+}
+
+Outcome run_rmf(const std::string& bytes) {
+  const auto map = decode_rmf_map(bytes, "hall.building.yaml", bytes.size() % 3 == 0 ? "L1" : "");
+  if (!map) {
+    require_sentence(map.error());
+    return Outcome::refused;
+  }
+  require(!map->lines.empty(), "a building has walls");
+  for (const Polyline& wall : map->lines) require(wall.size() == 2 && is_finite(wall[0]) && is_finite(wall[1]), "walls have two finite points");
+  for (const std::string& note : map->notes) require(std::none_of(note.begin(), note.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }), "a note is one line of text");
+  return Outcome::accepted;
+}
+
+std::vector<std::string> rmf_seeds() {
+  const std::string level = "vertices: [[100, 200, 0, \"\"], [300, 200, 0, a], [300, 400.5, 0, b]], walls: [[0, 1, {alpha: [3, 1]}], [1, 2, {}]]";
+  return {"name: hall\nlevels:\n  L1: {" + level + ", measurements: [[0, 1, {distance: [3, 10]}], [1, 2, {distance: [3, 1e1]}]], doors: [[0, 1]]}\n",
+          "coordinate_system: cartesian_meters\nlevels:\n  L1:\n    {" + level + "}\n  L2: {}\n", "{coordinate_system: reference_image, levels: {L1: {" + level + ", measurements: [[0, 2, {distance: [3, 4]}]]}}}"};
+}
+
+/// The first byte is the number of columns, the second says how, each bit of the rest is a cell.
+Outcome run_trace(const std::string& bytes) {
+  if (bytes.size() < 3) return Outcome::refused;
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+  CellGrid grid;
+  grid.columns = 1 + byte(0) % 48;
+  grid.cell = 0.1;
+  grid.bounds = byte(1) % 2 == 1;
+  for (std::size_t i = 2; i < bytes.size(); ++i) {
+    for (int bit = 0; bit < 8; ++bit) grid.blocked.push_back(byte(i) >> bit & 1 ? 1 : 0);
+  }
+  grid.rows = static_cast<int>(std::min<std::size_t>(48, grid.blocked.size() / static_cast<std::size_t>(grid.columns)));
+  if (grid.rows == 0) return Outcome::refused;
+  grid.blocked.resize(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
+  TraceOptions options{0.05 + 0.01 * (byte(1) / 2 % 32), std::nullopt, byte(1) >= 128 ? 0.13 : 0.0};
+  if (byte(1) / 64 % 2 == 1) options.relative = 0.02;
+  const auto traced = trace(grid, options);
+  if (!traced) {
+    require_sentence(traced.error());
+    return Outcome::refused;
+  }
+  require(traced->reached <= options.tolerance + 1e-9, "the tolerance is kept");
+  std::vector<Box> boxes;
+  for (const Ring& ring : traced->obstacles) {
+    const RingRepair again = repair_ring(ring);
+    require(!again.refused && again.mended.empty(), "polygons are simple and counter-clockwise");
+    boxes.push_back(bounding_box(ring));
+  }
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      if (!grid.is_blocked(column, row)) continue;
+      const Vec2 low = grid.corner(column, row + 1);
+      for (const Vec2 part : {Vec2{0.5, 0.5}, Vec2{0.01, 0.01}, Vec2{0.99, 0.01}, Vec2{0.01, 0.99}, Vec2{0.99, 0.99}}) {
+        const Vec2 p = low + grid.cell * part;
+        bool is_held = false;
+        for (std::size_t i = 0; i < boxes.size() && !is_held; ++i) is_held = boxes[i].contains(p) && contains(traced->obstacles[i], p);
+        require(is_held, "every blocked cell is in a polygon");
+      }
+    }
+  }
+  return Outcome::accepted;
+}
+
+std::vector<std::string> trace_seeds() {
+  std::string ring{"\x08\x01", 2}, blots{"\x20\x46", 2}, slanted{"\x1f\x8a", 2};
+  for (const int row : {0xFF, 0x81, 0xBD, 0xA5, 0x81, 0xFF, 0x18, 0x24, 0x42, 0x81}) ring += static_cast<char>(row);
+  for (int i = 0; i < 96; ++i) {
+    blots += static_cast<char>(i * i * 37 >> 3);
+    slanted += static_cast<char>(1 << i % 8);
+  }
+  return {ring, blots, slanted};
 }
 
 std::vector<std::string> movingai_seeds() {

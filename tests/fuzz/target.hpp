@@ -36,6 +36,9 @@ Outcome run_whale_config(const std::string& text); ///< a publication's configur
 Outcome run_image(const std::string& bytes);       ///< PGM and PNG: decoded, encoded, decoded back
 Outcome run_ros_map(const std::string& bytes);     ///< a ROS map's yaml, a zero byte, its picture
 Outcome run_movingai(const std::string& bytes);    ///< MovingAI's maps: decoded, written, decoded back
+Outcome run_svg(const std::string& bytes);         ///< an SVG drawing of polygons: decoded
+Outcome run_rmf(const std::string& bytes);         ///< an Open-RMF building: decoded
+Outcome run_trace(const std::string& bytes);       ///< cells made of the bytes: as polygons that hold them all
 Outcome run_dxf(const std::string& bytes);         ///< a DXF drawing: read, its blocks and curves expanded, made a map
 Outcome run_station(const std::string& bytes);     ///< a docking station made of the bytes: planned, proven, confirmed by brute force
 
@@ -47,6 +50,9 @@ std::vector<std::string> whale_config_seeds();
 std::vector<std::string> image_seeds();
 std::vector<std::string> ros_map_seeds();
 std::vector<std::string> movingai_seeds();
+std::vector<std::string> svg_seeds();
+std::vector<std::string> rmf_seeds();
+std::vector<std::string> trace_seeds();
 std::vector<std::string> dxf_seeds();
 std::vector<std::string> station_seeds();
 
@@ -54,7 +60,8 @@ inline const std::vector<Target>& targets() {
   static const std::vector<Target> all{{"scenario", run_scenario, scenario_seeds, true}, {"plan", run_plan, plan_seeds, true},
                                        {"poses", run_poses, poses_seeds},                {"image", run_image, image_seeds},
                                        {"site", run_site, site_seeds},                  {"whale_config", run_whale_config, whale_config_seeds, true},
-                                       {"ros_map", run_ros_map, ros_map_seeds},          {"movingai", run_movingai, movingai_seeds},          {"dxf", run_dxf, dxf_seeds},                      {"station", run_station, station_seeds}};
+                                       {"ros_map", run_ros_map, ros_map_seeds},          {"movingai", run_movingai, movingai_seeds},          {"svg", run_svg, svg_seeds}, {"rmf", run_rmf, rmf_seeds}, {"trace", run_trace, trace_seeds},
+                                                {"dxf", run_dxf, dxf_seeds},                      {"station", run_station, station_seeds}};
   return all;
 }
 

@@ -231,7 +231,7 @@ std::vector<std::string> whale_config_seeds() {
  "MapProcessor_Map_Name": "5", "PathPlanner_Iterations": 10000, "PathPlanner_Step_Size": 1.0, "PathPlanner_Search_Radius": 1.5, "PathPlanner_Goal_Threshold": 1.0,
  "PathOptimizer_Population": 10, "PathOptimizer_Iterations": 10, "PathOptimizer_a_Parameter": 4.0, "PathOptimizer_b_Parameter": 1.0, "PathOptimizer_Shortness_Weight": 10.0,
  "PathOptimizer_Collision_Free_Weight": 1.0, "PathOptimizer_Width_Bound": 2.5, "PathOptimizer_Height_Bound": 2.5})",
-          R"({"MapProcessor": {"Map_Name": 3}, "PathPlanner": {"Iterations": 100, "Step_Size": 0.5}, "PathOptimizer": {"Population": 10}})", R"({"MapProcessor_Map_Name": "map.png", "TestMode": false})"};
+          R"({"MapProcessor": {"Map_Name": 3}, "PathPlanner": {"Iterations": 100, "Step_Size": 0.5}, "PathOptimizer": {"Population": 10}})", R"({"MapProcessor_Map_Name": "1", "TestMode": false, "ReturnOnFirstPath": true})"};
 }
 
 std::vector<std::string> poses_seeds() {

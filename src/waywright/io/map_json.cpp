@@ -28,26 +28,32 @@ std::string map_json(const Map& map) { return pretty(map_to_json(map)); }
 
 bool is_dxf(const fs::path& file) { return has_extension(file, ".dxf"); }
 
-Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, const dxf::Options& drawing, std::string* record) {
+Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, const dxf::Options& drawing, std::string* record, const CellMapOptions& cells) {
   const auto refuse = [&](const char* problem, const char* allowed) {
     return tl::unexpected{InputError{file.string(), "", problem, allowed}};
   };
   const std::string extension = file.extension().string();
-  if (extension == ".pgm" || extension == ".png") {
-    return refuse("a picture alone has no scale", "a ROS yaml, or a map.json with image and resolution");
-  }
+  const bool is_picture = has_extension(file, ".pgm") || has_extension(file, ".png");
+  if (is_picture && !cells.resolution) return refuse("a picture alone has no scale", "a ROS yaml, a map.json with image and resolution, or `map --resolution`");
+  if (!is_picture && cells.resolution) return refuse("it is no picture, and has a scale of its own", "no resolution");
   // A map object that names the file, or that lies in it: the same reading and checks as in a scenario.
-  const bool yaml = extension == ".yaml" || extension == ".yml";
+  const bool is_building = file.filename().string().ends_with(".building.yaml");
+  const bool yaml = !is_building && (extension == ".yaml" || extension == ".yml");
   const bool is_drawing = is_dxf(file);
   const bool is_movingai = extension == ".map";
-  Json named{{yaml ? "ros" : is_drawing ? "dxf" : is_movingai ? "movingai" : "polygons", file.filename().string()}};
+  const bool is_svg = has_extension(file, ".svg");
+  Json named{{yaml ? "ros" : is_picture ? "image" : is_svg ? "svg" : is_building ? "rmf" : is_drawing ? "dxf" : is_movingai ? "movingai" : "polygons", file.filename().string()}};
   if (is_movingai) named["cell"] = 1.0;  // the format has no scale
+  if (is_picture) named["resolution"] = *cells.resolution;
   if (is_drawing) {
     if (!drawing.unit.empty()) named["unit"] = drawing.unit;
     if (!drawing.obstacle_layers.empty()) named["obstacle_layers"] = drawing.obstacle_layers;
     if (!drawing.boundary_layer.empty()) named["boundary_layer"] = drawing.boundary_layer;
     named["tolerance"] = drawing.tolerance;
     named["closing"] = drawing.closing;
+  }
+  for (const auto& [field, value] : {std::pair{"trace", cells.trace}, std::pair{"trace_relative", cells.trace_relative}, std::pair{"dilate", cells.dilate}}) {
+    if (value) named[field] = *value;
   }
   for (const auto& [from, to] : align) named["align"].push_back(Json::array({to_json(from), to_json(to)}));
   ReadContext context{"", {}};
@@ -56,7 +62,7 @@ Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec
   if (record != nullptr) *record = source.dump(-1, ' ', false, Json::error_handler_t::replace);
   if (!context.error) return map;
   InputError error = *context.error;
-  if (error.field == "ros" || error.field == "polygons" || error.field == "dxf" || error.field == "movingai") error.field.clear();  // of the object made here, which names the file itself
+  if (error.field == "ros" || error.field == "polygons" || error.field == "dxf" || error.field == "movingai" || error.field == "image" || error.field == "svg" || error.field == "rmf") error.field.clear();  // of the object made here, which names the file itself
   else if (error.file.empty()) error.file = file.string();
   return tl::unexpected{error};
 }

@@ -12,10 +12,13 @@
 #include "waywright/io/map_io.hpp"
 #include "waywright/io/map_json.hpp"
 #include "waywright/io/map_parts.hpp"
+#include "waywright/io/rmf_map.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/io/scenario_json.hpp"
+#include "waywright/io/svg_map.hpp"
 #include "waywright/io/vehicle_io.hpp"
 #include "waywright/map/published_maps.hpp"
+#include "waywright/map/trace.hpp"
 #include "waywright/map/whale_maps.hpp"
 
 namespace waywright {
@@ -29,6 +32,8 @@ constexpr int most_overlays_deep = 8;
 constexpr std::size_t deepest_source = 24;      // levels of a record that is carried along
 constexpr double largest_raw_coordinate = 1e9;  // m, before a transform: national grids have large ones
 constexpr std::uint64_t largest_drawing = 1ULL << 30;  // bytes
+constexpr std::uint64_t largest_building = 16ULL << 20;  // bytes
+constexpr std::uint64_t largest_svg = 64ULL << 20;     // bytes
 constexpr double largest_record = 1e12;         // m, of a transform that was made of several
 
 /// A loading error that speaks of its own file.
@@ -94,8 +99,13 @@ class MapReader {
       read_movingai(source);
     else if (kind_ == "generate")
       read_generated(source);
+    else if (kind_ == "svg")
+      read_svg(source);
+    else if (kind_ == "rmf")
+      read_rmf(source);
     else
       read_inlined(source);
+    if (!node_.failed()) trace_cells(source);
     if (!node_.failed()) place(source);
     if (!node_.failed() && node_.has("obstacles")) {
       read_rings(node_.at("obstacles"), map_.obstacles, map_.notes, largest_coordinate);
@@ -112,17 +122,17 @@ class MapReader {
  private:
   bool check_fields() {
     if (!node_.is_object()) {
-      node_.fail(fmt::format("it is {}", kind_of(node_.json())), "an object with polygons, cells, ros, image, dxf, movingai or generate");
+      node_.fail(fmt::format("it is {}", kind_of(node_.json())), "an object with polygons, cells, ros, image, dxf, movingai, generate, svg or rmf");
       return false;
     }
     if (!node_.is_object_of({"polygons", "cells", "ros", "image", "resolution", "origin", "occupied_below",
                              "unknown_is_free", "movingai", "cell", "generate", "dxf", "unit", "obstacle_layers",
-                             "boundary_layer", "tolerance", "closing", "transform", "align", "overlay", "obstacles", "source",
+                             "boundary_layer", "tolerance", "closing", "svg", "scale", "rmf", "level", "trace", "trace_relative", "dilate", "transform", "align", "overlay", "obstacles", "source",
                              "notes", "alignment"})) {
       return false;
     }
     int kinds = 0;
-    for (const char* kind : {"ros", "image", "dxf", "movingai", "generate"}) {
+    for (const char* kind : {"ros", "image", "dxf", "movingai", "generate", "svg", "rmf"}) {
       if (!node_.has(kind)) continue;
       ++kinds;
       kind_ = kind;
@@ -133,12 +143,14 @@ class MapReader {
     }
     if (kinds != 1) {
       node_.fail(kinds == 0 ? "no kind of map is given" : fmt::format("{} kinds of map are given", kinds),
-                 "exactly one of polygons (with cells), ros, image, dxf, movingai, generate");
+                 "exactly one of polygons (with cells), ros, image, dxf, movingai, generate, svg, rmf");
       return false;
     }
     if (kind_ != "dxf" && !has_none_of({"unit", "obstacle_layers", "boundary_layer", "tolerance", "closing"})) return false;
     if (kind_ != "movingai" && !has_none_of({"cell"})) return false;
-    if (kind_ == "movingai" || kind_ == "generate") return has_none_of({"resolution", "origin", "occupied_below", "unknown_is_free", "source", "notes", "alignment"});
+    if (kind_ != "svg" && !has_none_of({"scale"})) return false;
+    if (kind_ != "rmf" && !has_none_of({"level"})) return false;
+    if (kind_ == "movingai" || kind_ == "generate" || kind_ == "svg" || kind_ == "rmf") return has_none_of({"resolution", "origin", "occupied_below", "unknown_is_free", "source", "notes", "alignment"});
     if (kind_ == "ros")
       return has_none_of({"resolution", "origin", "occupied_below", "source", "notes", "alignment"});
     if (kind_ == "image") return has_none_of({"unknown_is_free", "source", "notes", "alignment"});
@@ -221,6 +233,62 @@ class MapReader {
     take_grid(node_.at("movingai"), load_movingai_map(folder_ / name, cell), source);
   }
 
+  void read_svg(Json& source) {
+    const std::string name = node_.at("svg").file_name();
+    const double scale = node_.has("scale") ? node_.at("scale").number_above(0.0, 1e6) : 1.0;
+    if (node_.failed() || !count_file()) return;
+    auto text = read_file(folder_ / name, largest_svg);
+    if (!text) return fail_by_file(node_.at("svg"), text.error());
+    auto drawing = decode_svg_map(*text, (folder_ / name).string(), scale);
+    if (!drawing) return fail_by_file(node_.at("svg"), drawing.error());
+    source["file"] = name;
+    source["scale"] = scale;
+    add_file(source, fs::path{name}.filename().string(), sha256(*text));
+    append(map_, std::move(*drawing));
+  }
+
+  void read_rmf(Json& source) {
+    const std::string name = node_.at("rmf").file_name();
+    const std::string level = node_.has("level") ? node_.at("level").text() : std::string{};
+    if (node_.failed() || !count_file()) return;
+    auto text = read_file(folder_ / name, largest_building);
+    if (!text) return fail_by_file(node_.at("rmf"), text.error());
+    auto walls = decode_rmf_map(*text, (folder_ / name).string(), level);
+    if (!walls) return fail_by_file(node_.at("rmf"), walls.error());
+    source["file"] = name;
+    if (!level.empty()) source["level"] = level;
+    add_file(source, fs::path{name}.filename().string(), sha256(*text));
+    append(map_, std::move(*walls));
+  }
+
+  /// Polygons in place of the cells, in the map's own frame.
+  void trace_cells(Json& source) {
+    if (!node_.has("trace")) {
+      for (const char* field : {"trace_relative", "dilate"}) {
+        if (node_.has(field)) node_.at(field).fail("it goes with trace alone", "trace beside it");
+      }
+      return;
+    }
+    TraceOptions options;
+    options.tolerance = node_.at("trace").number_above(0.0, 1e3);
+    if (node_.has("trace_relative")) options.relative = node_.at("trace_relative").number_above(0.0, 1.0);
+    if (node_.has("dilate")) options.dilate = node_.at("dilate").number(0.0, 1e3);
+    if (!node_.failed() && map_.grids.empty()) node_.at("trace").fail("the map has no cells", "a map of cells: ros, image, movingai, cells or one that is generated of them");
+    if (node_.failed()) return;
+    for (CellGrid& grid : map_.grids) {
+      if (overlays_deep_ > 0) grid.bounds = false;  // an overlay says nothing of what lies outside it
+      auto traced = trace(grid, options);
+      if (!traced) return node_.at("trace").fail(traced.error().problem, traced.error().allowed);
+      map_.notes.push_back((grid.name.empty() ? std::string{"the cells"} : grid.name) + ": " + describe(*traced, options));
+      if (traced->boundary) map_.boundaries.push_back(std::move(*traced->boundary));
+      map_.obstacles.insert(map_.obstacles.end(), std::make_move_iterator(traced->obstacles.begin()), std::make_move_iterator(traced->obstacles.end()));
+    }
+    map_.grids.clear();
+    for (const char* field : {"trace", "trace_relative", "dilate"}) {
+      if (node_.has(field)) source[field] = node_.at(field).json();
+    }
+  }
+
   void read_dxf(Json& source) {
     const std::string name = node_.at("dxf").file_name();
     dxf::Options options;
@@ -298,7 +366,7 @@ class MapReader {
     const std::string name = polygons.file_name();
     if (node_.failed() || !count_file()) return;
     const fs::path path = folder_ / name;
-    for (const auto& [extension, what, kind] : {std::tuple{".dxf", "a drawing", "dxf"}, {".yaml", "a ROS map", "ros"}, {".yml", "a ROS map", "ros"}}) {
+    for (const auto& [extension, what, kind] : {std::tuple{".dxf", "a drawing", "dxf"}, {".yaml", "a ROS map", "ros"}, {".yml", "a ROS map", "ros"}, {".svg", "an SVG drawing", "svg"}}) {
       if (has_extension(path, extension)) return polygons.fail(fmt::format("{} is {}, not a map.json", name, what), fmt::format("{{\"{}\": \"{}\"}}", kind, name));
     }
     auto text = read_file(path, largest_json);
@@ -335,7 +403,7 @@ class MapReader {
              std::any_of(fields.begin(), fields.end(), [&](const char* f) { return json.contains(f); });
     };
     return any({"boundary", "boundaries", "obstacles", "lines", "points"}) &&
-           !any({"polygons", "cells", "ros", "image", "dxf", "movingai", "generate"});
+           !any({"polygons", "cells", "ros", "image", "dxf", "movingai", "generate", "svg", "rmf"});
   }
 
   bool count_file() {

@@ -14,6 +14,7 @@
 #include "waywright/io/image.hpp"
 #include "waywright/io/json_reader.hpp"
 #include "waywright/io/map_io.hpp"
+#include "waywright/io/yaml_text.hpp"
 
 namespace waywright {
 namespace {
@@ -22,7 +23,6 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t largest_yaml = 1 << 20;
 constexpr std::uint64_t largest_image_file = 1ULL << 30;
-constexpr std::size_t deepest_yaml = 32;
 
 struct Header {
   std::string image;
@@ -33,27 +33,6 @@ struct Header {
   double free = 0.196;
   enum class Mode { trinary, scale, raw } mode = Mode::trinary;
 };
-
-/// Aliases and deep nesting have no place in a map's header, and are where YAML parsers suffer.
-std::optional<std::string> suspicious(const std::string& text) {
-  std::size_t depth = 0;
-  bool token_start = true;
-  for (const char c : text) {
-    if ((c == '[' || c == '{') && ++depth > deepest_yaml) return "the yaml is nested too deeply";
-    if ((c == ']' || c == '}') && depth > 0) --depth;
-    if (token_start && (c == '&' || c == '*')) return "the yaml uses anchors or aliases, which a map's header does not need";
-    token_start = c == ' ' || c == '\n' || c == ':' || c == '-' || c == '[' || c == ',' || c == '{';
-  }
-  std::size_t indent = 0;
-  std::size_t line = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '\n') line = i + 1;
-    else if (text[i] == ' ' && i == line + indent) indent = i - line + 1;
-    if (indent > 4 * deepest_yaml) return "the yaml is nested too deeply";
-    if (text[i] == '\n') indent = 0;
-  }
-  return std::nullopt;
-}
 
 /// The whole file, once its header shows a size that can be used.
 Parsed<std::string> read_picture(const fs::path& path) {
@@ -217,7 +196,7 @@ Parsed<LoadedGrid> load_ros_map(const fs::path& yaml, bool unknown_is_free) {
   auto text = read_file(yaml, largest_yaml);
   if (!text) return tl::unexpected{text.error()};
   ReadContext context{yaml.string(), {}, 0};
-  if (auto problem = suspicious(*text)) return tl::unexpected{InputError{yaml.string(), "", *problem, "a flat list of fields"}};
+  if (auto problem = suspicious_yaml(*text)) return tl::unexpected{InputError{yaml.string(), "", *problem, "a flat list of fields"}};
   Header header;
   try {
     const YAML::Node root = YAML::Load(*text);

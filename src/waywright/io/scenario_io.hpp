@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,10 +20,18 @@ Parsed<Scenario> parse_scenario(const std::string& text, const std::string& name
 
 Parsed<Vehicle> read_vehicle(const std::filesystem::path& file);
 
-/// A map alone: scenario.json's `map` object in a file of its own, a ROS yaml or a picture (resolution needed), by extension; placed
+/// What a map of cells needs beside its file, and what becomes of it.
+struct CellMapOptions {
+  std::optional<double> resolution{};      ///< m a pixel, of a picture alone
+  std::optional<double> trace{};           ///< m: polygons in place of the cells, see map/trace
+  std::optional<double> trace_relative{};  ///< share of an outline's length
+  std::optional<double> dilate{};          ///< m
+};
+
+/// A map alone: scenario.json's `map` object in a file of its own, a ROS yaml, a picture (resolution needed), an SVG or DXF drawing, by extension; placed
 /// by pairs of points (on the map, in the world) where such are given. Of a DXF `drawing` says what is taken.
 /// `record`, where given, receives where it came from, as JSON text (Scenario::map_source).
-Parsed<Map> read_map(const std::filesystem::path& file, const std::vector<std::pair<Vec2, Vec2>>& align = {}, const dxf::Options& drawing = {}, std::string* record = nullptr);
+Parsed<Map> read_map(const std::filesystem::path& file, const std::vector<std::pair<Vec2, Vec2>>& align = {}, const dxf::Options& drawing = {}, std::string* record = nullptr, const CellMapOptions& cells = {});
 bool is_dxf(const std::filesystem::path& file);  ///< by its extension
 /// What all places of a site share.
 struct Site {

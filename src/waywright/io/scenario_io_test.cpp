@@ -284,8 +284,8 @@ TEST(MapJson, MapsAloneAreReadAndWritten) {
   };
   EXPECT_EQ(sentence("hall.dxf"), "hall.dxf: there is no such file (allowed: a file that can be read)");
   EXPECT_EQ(sentence("maps/m.pgm"),
-            "maps/m.pgm: a picture alone has no scale (allowed: a ROS yaml, or a map.json with image and "
-            "resolution)");
+            "maps/m.pgm: a picture alone has no scale (allowed: a ROS yaml, a map.json with image and "
+            "resolution, or `map --resolution`)");
   EXPECT_EQ(sentence("gone.json"), "gone.json: there is no such file (allowed: a file that can be read)");
 }
 
