@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "waywright/planner/ompl/shortcut.hpp"
+#include "waywright/planner/steering/shortcut.hpp"
 #include "waywright/planner/ompl/tree_search.hpp"
 #include "waywright/scenario/parameter_values.hpp"
 

@@ -9,7 +9,7 @@
 #include "tests/oracle/brute_force.hpp"
 #include "waywright/core/random.hpp"
 #include "waywright/judge/judge.hpp"
-#include "waywright/planner/ompl/reeds_shepp.hpp"
+#include "waywright/planner/steering/reeds_shepp.hpp"
 #include "waywright/planner/ompl/tree_search.hpp"
 
 namespace waywright {

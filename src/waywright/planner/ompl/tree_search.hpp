@@ -6,8 +6,8 @@
 #include <string>
 
 #include "waywright/path/path.hpp"
-#include "waywright/planner/ompl/arc_motion.hpp"
-#include "waywright/planner/ompl/reeds_shepp.hpp"
+#include "waywright/planner/steering/arc_motion.hpp"
+#include "waywright/planner/steering/reeds_shepp.hpp"
 
 namespace waywright {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "waywright/path/path.hpp"
-#include "waywright/planner/ompl/arc_motion.hpp"
-#include "waywright/planner/ompl/reeds_shepp.hpp"
+#include "waywright/planner/steering/arc_motion.hpp"
+#include "waywright/planner/steering/reeds_shepp.hpp"
 
 namespace waywright {
 

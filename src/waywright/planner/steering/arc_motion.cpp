@@ -1,4 +1,4 @@
-#include "waywright/planner/ompl/arc_motion.hpp"
+#include "waywright/planner/steering/arc_motion.hpp"
 
 #include <algorithm>
 #include <cmath>

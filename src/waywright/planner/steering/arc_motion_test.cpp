@@ -1,4 +1,4 @@
-#include "waywright/planner/ompl/arc_motion.hpp"
+#include "waywright/planner/steering/arc_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 
 #include "tests/oracle/brute_force.hpp"
 #include "waywright/core/random.hpp"
-#include "waywright/planner/ompl/reeds_shepp.hpp"
-#include "waywright/planner/ompl/shortcut.hpp"
+#include "waywright/planner/steering/reeds_shepp.hpp"
+#include "waywright/planner/steering/shortcut.hpp"
 
 namespace waywright {
 namespace {

@@ -1,4 +1,4 @@
-#include "waywright/planner/ompl/shortcut.hpp"
+#include "waywright/planner/steering/shortcut.hpp"
 
 #include <cmath>
 #include <utility>
