@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "waywright/curve/arc.hpp"
 
@@ -14,8 +15,22 @@ constexpr double rounding = 1e-9;  // m, of the distance at a pose whose clearan
 
 }  // namespace
 
-MotionTest::MotionTest(const Problem& problem, const MotionTestLimits& limits, Budget& budget)
-    : problem_{problem}, limits_{limits}, budget_{budget}, required_{problem.required_clearance()} {}
+struct MotionTest::Driven {
+  Arc arc{};
+  const Turn* turn = nullptr;  ///< of a piece that is one
+  int direction = 1;
+  double rate = 1.0;    ///< greatest way of any footprint point over the way
+  double length = 0.0;  ///< m
+
+  Pose pose(double way) const {
+    if (turn != nullptr) return make_pose(turn->at, wrap(turn->from + (length > 0.0 ? way / length : 1.0) * turn->angle));
+    const CurvePoint point = evaluate(arc, way);
+    return make_pose(point.position, direction < 0 ? wrap(point.course + pi) : point.course);
+  }
+};
+
+MotionTest::MotionTest(const Problem& problem, const MotionTestLimits& limits, Budget& budget, Footprint footprint)
+    : problem_{problem}, limits_{limits}, budget_{budget}, footprint_{std::move(footprint)}, required_{problem.required_clearance()} {}
 
 bool MotionTest::spent() {
   return placements_ >= limits_.placements || motions_ >= limits_.motions || budget_.exhausted();
@@ -23,7 +38,7 @@ bool MotionTest::spent() {
 
 Contact MotionTest::place(const Pose& pose, double wanted) {
   ++placements_;
-  return problem_.world().clearance(problem_.footprint(), pose, required_ + wanted);
+  return problem_.world().clearance(footprint_, pose, required_ + wanted);
 }
 
 void MotionTest::note_blocked(const Contact& contact) {
@@ -48,53 +63,70 @@ bool MotionTest::pose_free_by(const Pose& pose, double beyond) {
 /// decide.
 double MotionTest::rate(const Arc& arc, int direction) const {
   double greatest = 1.0;
-  for (const Vec2 p : problem_.footprint().polygon) {
+  for (const Vec2 p : footprint_.polygon) {
     greatest = std::max(greatest, norm({direction - arc.curvature * p.y, arc.curvature * p.x}));
   }
   return greatest;
 }
 
-bool MotionTest::near_an_end(Vec2 point) const {
-  return std::min(distance(point, problem_.start().position()),
-                  distance(point, problem_.goal().position())) <= limits_.resolution;
+MotionTest::Driven MotionTest::driven(const Piece& piece) const {
+  Driven driven;
+  driven.direction = piece.direction;
+  if (const auto* turn = std::get_if<Turn>(&piece.curve)) {
+    driven.turn = turn;
+    driven.length = footprint_.is_disc() ? 0.0 : footprint_.radius() * std::abs(turn->angle);
+    return driven;
+  }
+  if (const auto* bent = std::get_if<Arc>(&piece.curve)) {
+    driven.arc = *bent;
+  } else {
+    const auto& line = std::get<Line>(piece.curve);
+    driven.arc = {make_pose(line.from, angle_of(line.to - line.from)), 0.0, arc_length(line)};
+  }
+  driven.rate = rate(driven.arc, piece.direction);
+  driven.length = driven.arc.length;
+  return driven;
 }
 
-bool MotionTest::interval_free(const Arc& arc, int direction, double rate, double begin, double end) {
+bool MotionTest::near_an_end(const Driven& driven, const Pose& pose) const {
+  const auto is_near = [&](const Pose& end) {
+    return distance(pose.position(), end.position()) <= limits_.resolution &&
+           (driven.turn == nullptr || footprint_.radius() * std::abs(shorter_turn(end.heading, pose.heading)) <= limits_.resolution);
+  };
+  return is_near(problem_.start()) || is_near(problem_.goal());
+}
+
+bool MotionTest::interval_free(const Driven& driven, double begin, double end) {
   if (placements_ >= limits_.placements || budget_.exhausted()) return false;
   const double half = 0.5 * (end - begin);
-  const CurvePoint point = evaluate(arc, begin + half);
-  const Contact contact =
-      place(make_pose(point.position, direction < 0 ? wrap(point.course + pi) : point.course),
-            2.0 * reserve + half * rate);
+  const Pose pose = driven.pose(begin + half);
+  const Contact contact = place(pose, 2.0 * reserve + half * driven.rate);
   double shown = (contact.clearance - required_ - reserve) /
-                 rate;  // metres to both sides that this placement shows to be free
+                 driven.rate;  // metres to both sides that this placement shows to be free
   if (shown > half) return true;
   const double least = 0.5 * limits_.resolution;
   if (shown < least) {
-    if (contact.clearance <= required_ || !near_an_end(point.position)) {
+    if (contact.clearance <= required_ || !near_an_end(driven, pose)) {
+      stop_.share = driven.length > 0.0 ? begin / driven.length : 0.0;
       note_blocked(contact);
       return false;
     }
     shown = least;
     if (shown > half) return true;
   }
-  return interval_free(arc, direction, rate, begin, begin + half - shown) &&
-         interval_free(arc, direction, rate, begin + half + shown, end);
+  return interval_free(driven, begin, begin + half - shown) && interval_free(driven, begin + half + shown, end);
 }
 
 bool MotionTest::motion_free(std::span<const Piece> pieces) {
+  stop_ = {};
   if (motions_ >= limits_.motions) return false;
   ++motions_;
-  return std::all_of(pieces.begin(), pieces.end(), [this](const Piece& piece) {
-    Arc arc;
-    if (const auto* bent = std::get_if<Arc>(&piece.curve)) {
-      arc = *bent;
-    } else {
-      const auto& line = std::get<Line>(piece.curve);
-      arc = {make_pose(line.from, angle_of(line.to - line.from)), 0.0, arc_length(line)};
-    }
-    return interval_free(arc, piece.direction, rate(arc, piece.direction), 0.0, arc.length);
-  });
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    stop_ = {i, 0.0};
+    const Driven piece = driven(pieces[i]);
+    if (!interval_free(piece, 0.0, piece.length)) return false;
+  }
+  return true;
 }
 
 Blocker MotionTest::worst_blocker() const {
