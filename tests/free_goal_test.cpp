@@ -197,7 +197,7 @@ TEST(FreeGoal, OtherPlannersRefuseItAndSayWhoDoesNot) {
     EXPECT_EQ(taken.has_value(), planner.takes_free_goals) << planner.name;
     if (taken) continue;
     EXPECT_EQ(taken.error().message(),
-              "planner.name: " + planner.name + " plans to a goal pose, and this goal leaves the heading free (allowed: dijkstra, astar, theta_star, danger_astar)");
+              "planner.name: " + planner.name + " plans to a goal pose, and this goal leaves the heading free (allowed: ompl_rrt_connect, ompl_rrt_star, ompl_informed_rrt_star, ompl_bit_star, ompl_ait_star, ompl_prm_star, ompl_kpiece, dijkstra, astar, theta_star, danger_astar)");
   }
 }
 

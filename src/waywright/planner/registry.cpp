@@ -8,7 +8,7 @@
 #include "waywright/planner/docking/published_docking.hpp"
 #include "waywright/planner/grid/grid_planner.hpp"
 #include "waywright/planner/grid/safe_planner.hpp"
-#include "waywright/planner/ompl/rrt_connect.hpp"
+#include "waywright/planner/ompl/ompl_planner.hpp"
 #include "waywright/planner/roadmap/visibility_planner.hpp"
 #include "waywright/planner/spline/describe.hpp"
 #include "waywright/planner/state_lattice/clearance_optimal.hpp"
@@ -84,7 +84,7 @@ PlannerDescription pattern_docking_description() {
             options.sides = side_choice(word_of(p, "sides"));
             options.gap = number_of(p, "gap");
             std::optional<AnyPlanner> fallback;
-            if (flag_of(p, "fallback")) fallback = RrtConnectPlanner{RrtConnectOptions{.goal_straight = options.leads.dock}, seed};
+            if (flag_of(p, "fallback")) fallback = OmplPlanner{SamplingPlanner::rrt_connect, OmplOptions{.space = SteeringKind::reeds_shepp, .goal_straight = options.leads.dock}, seed};
             return PatternDockingPlanner{options, optimizer_of(word_of(p, "optimizer")), seed, std::move(fallback)};
           },
           [](const Parameters& p) { return flag_of(p, "fallback"); }, true};
@@ -136,8 +136,9 @@ const std::vector<OptimizerDescription>& optimizers() {
 
 const std::vector<PlannerDescription>& planners() {
   static const std::vector<PlannerDescription> all = [] {
-    std::vector<PlannerDescription> list{pattern_docking_description(), published_docking_description(), rrt_connect_description(),
-                                         waypoint_clothoid_description(optimizer_names(), optimizer_of)};
+    std::vector<PlannerDescription> list{pattern_docking_description(), published_docking_description()};
+    for (PlannerDescription& p : ompl_planner_descriptions()) list.push_back(std::move(p));
+    list.push_back(waypoint_clothoid_description(optimizer_names(), optimizer_of));
     for (PlannerDescription& p : spline_planner_descriptions(optimizer_names(), optimizer_of)) list.push_back(std::move(p));
     for (PlannerDescription& p : grid_planner_descriptions()) list.push_back(std::move(p));
     for (PlannerDescription& p : safe_planner_descriptions()) list.push_back(std::move(p));

@@ -1,4 +1,4 @@
-#include "waywright/planner/ompl/rrt_connect.hpp"
+#include "waywright/planner/ompl/ompl_planner.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,7 @@
 #include "tests/oracle/brute_force.hpp"
 #include "waywright/core/random.hpp"
 #include "waywright/judge/judge.hpp"
-#include "waywright/planner/ompl/reeds_shepp.hpp"
-#include "waywright/planner/ompl/tree_search.hpp"
+#include "waywright/planner/steering/reeds_shepp.hpp"
 
 namespace waywright {
 namespace {
@@ -56,9 +55,9 @@ BudgetLimits samples(std::int64_t n) {
 }
 
 PlanningResult plan_with(const Problem& problem, std::uint64_t seed = 1,
-                         const RrtConnectOptions& options = {}, BudgetLimits limits = {}) {
+                         const OmplOptions& options = {}, BudgetLimits limits = {}) {
   Budget budget{limits};
-  return RrtConnectPlanner{options, seed}.plan(problem, budget);
+  return OmplPlanner{SamplingPlanner::rrt_connect, options, seed}.plan(problem, budget);
 }
 
 bool same_bits(const Path& a, const Path& b) {
@@ -164,7 +163,7 @@ TEST(RrtConnect, RandomRoomsAreSolvedAndProvenOrFailWithACause) {
 
 TEST(RrtConnect, ShorteningHelpsAndCanBeLeftOut) {
   const Problem problem = prepared(station());
-  RrtConnectOptions plain;
+  OmplOptions plain;
   plain.simplify = false;
   const PlanningResult found = plan_with(problem, 4, plain);
   const PlanningResult shortened = plan_with(problem, 4);
@@ -209,7 +208,7 @@ TEST(RrtConnect, NoWayIsAFailureWithItsCause) {
   const Problem problem = prepared(walled_in());
   ASSERT_FALSE(problem.check_ends());
   Budget budget{samples(5000)};
-  const PlanningResult result = RrtConnectPlanner{{}, 1}.plan(problem, budget);
+  const PlanningResult result = OmplPlanner{SamplingPlanner::rrt_connect, {}, 1}.plan(problem, budget);
   ASSERT_FALSE(result);
   const PlanningFailure& failure = result.error();
   EXPECT_EQ(failure.failure.status, Status::no_path);
@@ -234,7 +233,7 @@ TEST(RrtConnect, WorkStaysWithinTheBudget) {
       BudgetLimits motions;
       motions.evaluations = limit;
       Budget budget{motions};
-      const PlanningResult result = RrtConnectPlanner{{}, 1}.plan(*problem, budget);
+      const PlanningResult result = OmplPlanner{SamplingPlanner::rrt_connect, {}, 1}.plan(*problem, budget);
       EXPECT_LE(budget.evaluations(), limit);
       EXPECT_FALSE(budget.cut_short());
       if (problem == &blocked) {
@@ -253,11 +252,11 @@ TEST(RrtConnect, WorkStaysWithinTheBudget) {
 
 TEST(RrtConnect, CancelAndClockEndIt) {
   const Problem problem = prepared(walled_in());
-  RrtConnectOptions endless;
+  OmplOptions endless;
   endless.checks = 1'000'000'000;
   const std::atomic<bool> raised{true};
   Budget canceled{{}, &raised};
-  const PlanningResult none = RrtConnectPlanner{endless, 1}.plan(problem, canceled);
+  const PlanningResult none = OmplPlanner{SamplingPlanner::rrt_connect, endless, 1}.plan(problem, canceled);
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().failure.status, Status::canceled);
 
@@ -267,7 +266,7 @@ TEST(RrtConnect, CancelAndClockEndIt) {
     std::this_thread::sleep_for(std::chrono::milliseconds{50});
     flag = true;
   }};
-  const PlanningResult stopped = RrtConnectPlanner{endless, 1}.plan(problem, later);
+  const PlanningResult stopped = OmplPlanner{SamplingPlanner::rrt_connect, endless, 1}.plan(problem, later);
   raise.join();
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().failure.status, Status::canceled);
@@ -275,7 +274,7 @@ TEST(RrtConnect, CancelAndClockEndIt) {
   BudgetLimits seconds;
   seconds.seconds = 0.05;
   Budget clock{seconds};
-  const PlanningResult late = RrtConnectPlanner{endless, 1}.plan(problem, clock);
+  const PlanningResult late = OmplPlanner{SamplingPlanner::rrt_connect, endless, 1}.plan(problem, clock);
   ASSERT_FALSE(late);
   EXPECT_EQ(late.error().failure.status, Status::timed_out);
   EXPECT_TRUE(clock.cut_short());
@@ -299,7 +298,9 @@ TEST(RrtConnect, UnusualEndsAndVehicles) {
   free_turning.vehicle.footprint.disc = 0.4;
   free_turning.map.obstacles.push_back(rectangle({1.0, -1.0}, {1.5, 3.0}));
   const Problem turning = prepared(free_turning);
-  const PlanningResult round = plan_with(turning);
+  OmplOptions bending;
+  bending.space = SteeringKind::reeds_shepp;
+  const PlanningResult round = plan_with(turning, 1, bending);
   expect_solved(turning, round);
   for (const Piece& piece : round->path.pieces) EXPECT_LE(std::abs(start_curvature(piece)), 1.0 / 0.3 + 1e-9);
   // A vehicle that cannot turn has no Reeds-Shepp curves.
@@ -339,7 +340,7 @@ TEST(RrtConnect, AWayRoundAWallInTheOpen) {
 }
 
 TEST(RrtConnect, DescriptionMatchesTheOptions) {
-  const PlannerDescription description = rrt_connect_description();
+  const PlannerDescription description = ompl_planner_descriptions().front();
   EXPECT_EQ(description.name, "ompl_rrt_connect");
   Parameters parameters;
   for (const ParameterDescription& p : description.parameters) {

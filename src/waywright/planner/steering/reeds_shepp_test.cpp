@@ -1,4 +1,4 @@
-#include "waywright/planner/ompl/reeds_shepp.hpp"
+#include "waywright/planner/steering/reeds_shepp.hpp"
 
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>

@@ -7,18 +7,22 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "waywright/path/path.hpp"
 
 namespace waywright {
 
+/// A turn on the circle to one side, or a straight part.
+struct TurningPart {
+  int side = 0;         ///< 1 left, −1 right, 0 straight
+  double length = 0.0;  ///< in radii, rad of turning where side ≠ 0; negative: backwards
+};
+
 /// A shortest word: up to five parts, each a turn with a signed length.
 struct ReedsSheppWord {
-  struct Part {
-    int side = 0;         ///< 1 left, −1 right, 0 straight
-    double length = 0.0;  ///< in radii, rad of turning where side ≠ 0; negative: backwards
-  };
+  using Part = TurningPart;
   std::array<Part, 5> parts{};
   std::size_t count = 0;
   double length = 0.0;  ///< Σ|length of parts|, in radii
@@ -47,6 +51,9 @@ class ReedsShepp {
  private:
   double radius_;
 };
+
+/// The lines and arcs of parts driven one after the other, neighbours on one line or circle merged.
+Pieces turning_pieces(const Pose& from, std::span<const TurningPart> parts, double radius);
 
 /// Appends a line or an arc; where it goes on on the last one's line or circle in the same direction, both
 /// become one piece.

@@ -1,4 +1,4 @@
-#include "waywright/planner/ompl/reeds_shepp.hpp"
+#include "waywright/planner/steering/reeds_shepp.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -213,22 +213,26 @@ ReedsSheppWord ReedsShepp::shortest(const Pose& from, const Pose& to) const {
 
 Pieces ReedsShepp::between(const Pose& from, const Pose& to) const {
   const ReedsSheppWord word = shortest(from, to);
+  return turning_pieces(from, std::span{word.parts.data(), word.count}, radius_);
+}
+
+Pieces turning_pieces(const Pose& from, std::span<const TurningPart> parts, double radius) {
   Pieces pieces;
   Pose pose = from;
-  for (std::size_t i = 0; i < word.count; ++i) {
-    const double metres = radius_ * std::abs(word.parts[i].length);
+  for (const TurningPart& part : parts) {
+    const double metres = radius * std::abs(part.length);
     if (metres < least_segment) continue;
     Piece piece;
-    piece.direction = word.parts[i].length > 0.0 ? 1 : -1;
+    piece.direction = part.length > 0.0 ? 1 : -1;
     const Pose start =
         make_pose(pose.position(), piece.direction > 0 ? pose.heading : wrap(pose.heading + pi));
-    if (word.parts[i].side == straight) {
+    if (part.side == straight) {
       const Line line{start.position(), start.position() + metres * unit(start.heading)};
       piece.curve = line;
       pose = make_pose(line.to, pose.heading);  // that of two near points far from the origin is worse
     } else {
       // Curvature in the direction of travel: a left curve driven backwards bends the course to the right.
-      piece.curve = Arc{start, static_cast<double>(word.parts[i].side * piece.direction) / radius_, metres};
+      piece.curve = Arc{start, static_cast<double>(part.side * piece.direction) / radius, metres};
       pose = end_pose(piece);
     }
     append_merged(pieces, piece);

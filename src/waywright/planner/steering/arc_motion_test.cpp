@@ -1,4 +1,4 @@
-#include "waywright/planner/ompl/arc_motion.hpp"
+#include "waywright/planner/steering/arc_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 
 #include "tests/oracle/brute_force.hpp"
 #include "waywright/core/random.hpp"
-#include "waywright/planner/ompl/reeds_shepp.hpp"
-#include "waywright/planner/ompl/shortcut.hpp"
+#include "waywright/planner/steering/reeds_shepp.hpp"
+#include "waywright/planner/steering/shortcut.hpp"
 
 namespace waywright {
 namespace {
@@ -148,7 +148,7 @@ TEST(Shortcut, NeverLongerAlwaysFreeAndTheSameEnds) {
     }
     if (!test.motion_free(path.pieces)) continue;
     ++tried;
-    const Path better = shortened(path, curves, test, 200, 7);
+    const Path better = shortened(path, *make_steering(SteeringKind::reeds_shepp, {.radius = curves.radius()}), test, 200, 7);
     EXPECT_LE(length(better), length(path));
     shorter += length(better) < 0.9 * length(path) ? 1 : 0;
     EXPECT_LT(distance(start_pose(better).position(), start_pose(path).position()), 1e-9);
