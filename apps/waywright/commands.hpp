@@ -95,7 +95,7 @@ int compare(const CompareArguments& arguments);
 struct ReproduceArguments {
   std::string what;  ///< whose experiments
   std::optional<std::filesystem::path> out;
-  int runs = 5;      ///< searches each, for their median time
+  std::optional<int> runs;  ///< searches each: safe_astar 5, for their median time; rrt_woa 100 seeds a map, as published
 };
 int reproduce(const ReproduceArguments& arguments);
 

@@ -61,6 +61,12 @@ int generate_warehouse_map(const GenerateArguments& arguments) {
   return print(fmt::format("written: {}, {}\n", arguments.out.string(), picture.string())) ? solved : not_solved;
 }
 
+int write_scenario(const std::filesystem::path& file, const Scenario& scenario) {
+  if (auto ready = prepare_folder_of(file); !ready) return complain(ready.error());
+  if (auto written = write_file(file, scenario_json(scenario)); !written) return complain(written.error());
+  return print(fmt::format("written: {}\n", file.string())) ? solved : not_solved;
+}
+
 }  // namespace
 
 int generate(const GenerateArguments& arguments) {
@@ -68,16 +74,16 @@ int generate(const GenerateArguments& arguments) {
   if (arguments.count || arguments.vehicle)
     return complain({"", arguments.count ? "--count" : "--vehicle", "it goes with generate stations alone", "generate stations"});
   if (arguments.name == "warehouse") return generate_warehouse_map(arguments);
+  if (const auto published = published_scenario(arguments.name)) {
+    if (arguments.boxes) return complain({"", "--boxes", "it does not go with a publication's map", "generate station"});
+    return write_scenario(arguments.out, *published);
+  }
   if (arguments.name != "station") {
-    return complain(
-        {"", "generate", fmt::format("\"{}\" is not known", arguments.name), "station, stations, warehouse"});
+    return complain({"", "generate", fmt::format("\"{}\" is not known", arguments.name), "station, stations, warehouse, or a publication's map: see `waywright list maps`"});
   }
   auto scenario = generate_station(arguments.seed, {arguments.boxes});
   if (!scenario) return complain(scenario.error());
-  if (auto ready = prepare_folder_of(arguments.out); !ready) return complain(ready.error());
-  if (auto written = write_file(arguments.out, scenario_json(*scenario)); !written)
-    return complain(written.error());
-  return print(fmt::format("written: {}\n", arguments.out.string())) ? solved : not_solved;
+  return write_scenario(arguments.out, *scenario);
 }
 
 }  // namespace waywright::app

@@ -5,6 +5,8 @@
 
 #include "commands.hpp"
 #include "waywright/io/scenario_io.hpp"
+#include "waywright/map/published_maps.hpp"
+#include "waywright/map/whale_maps.hpp"
 #include "waywright/planner/registry.hpp"
 #include "waywright/planner/waypoint/waypoint_clothoid.hpp"
 
@@ -77,6 +79,8 @@ int list(const std::string& what) {
     text += line("image", "pgm or png with a resolution");
     text += line("dxf", "floor plan from CAD");
     text += line("cells", "occupancy cells inlined by run lengths");
+    text += line("movingai", "a map of MovingAI's benchmarks");
+    text += line("generate", fmt::format("a map of a publication, as reconstructed: {}; {}", fmt::join(published_map_names(), ", "), fmt::join(whale_map_names(), ", ")));
   });
   section("zones", [&] {
     for (const ZoneType zone : zone_types) text += line(to_string(zone), meaning_of(zone));
@@ -85,6 +89,7 @@ int list(const std::string& what) {
     text += line("station", "a docking station with random shape, shelf, clutter, vehicle and start");
     text += line("stations", "a site of docking stations: a table, and the map of their hall beside it");
     text += line("warehouse", "a ROS map of a 60 × 40 m warehouse with racks and aisles");
+    text += line("SA-CONVEX … WOA-5", "the first task on a publication's map (see list maps), for a point");
   });
   if (const PlannerDescription* planner = find_planner(what)) {
     text = planner_words(*planner);

@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "waywright/io/files.hpp"
+#include "waywright/io/json_reader.hpp"
 #include "waywright/io/plan_io.hpp"
 #include "waywright/io/scenario_io.hpp"
+#include "waywright/io/whale_config.hpp"
+#include "waywright/planner/registry.hpp"
 #include "waywright/report/report.hpp"
 
 namespace waywright::app {
@@ -44,9 +48,14 @@ Parsed<void> prepare_folder_of(const fs::path& file) {
 }
 
 Parsed<void> write_plan(const fs::path& folder, const Problem& problem, const Plan& plan) {
-  return write_files({{folder / "plan.json", plan_json(plan)},
-                      {folder / "plan.svg", plan_svg(problem, plan)},
-                      {folder / "report.html", report_html(problem, plan)}});
+  std::vector<NamedContent> files{{folder / "plan.json", plan_json(plan)}, {folder / "plan.svg", plan_svg(problem, plan)}, {folder / "report.html", report_html(problem, plan)}};
+  if (plan.search) files.push_back({folder / "search.svg", search_picture_svg(problem, plan)});
+  auto written = write_files(files);
+  if (written && !plan.search) {  // that of another plan would be beside this one
+    std::error_code none;
+    fs::remove(folder / "search.svg", none);
+  }
+  return written;
 }
 
 Parsed<void> write_plan(const fs::path& folder, const Plan& plan) {
@@ -58,10 +67,28 @@ Parsed<void> refuse_legs(const Scenario& scenario, const fs::path& file, const c
   return tl::unexpected{InputError{file.string(), "legs", why, allowed}};
 }
 
-Parsed<LoadedScenario> load_scenario(const fs::path& file, const std::function<Parsed<void>(Scenario&)>& change) {
+namespace {
+
+Parsed<Scenario> read_scenario_or_configuration(const fs::path& file, const std::string& planner) {
+  auto text = read_file(file, largest_json);
+  if (!text) return tl::unexpected{text.error()};
+  if (!is_whale_config(*text)) return parse_scenario(*text, file.string(), file.parent_path());
+  const auto takes = [](const std::string& name, const std::string& parameter) {
+    const PlannerDescription* found = find_planner(name);
+    return found == nullptr || std::any_of(found->parameters.begin(), found->parameters.end(), [&](const ParameterDescription& p) { return p.name == parameter; });
+  };
+  auto configured = parse_whale_config(*text, file.string(), file.parent_path(), planner, takes);
+  if (!configured) return tl::unexpected{configured.error()};
+  for (const std::string& line : configured->mapping) note(line);
+  return std::move(configured->scenario);
+}
+
+}  // namespace
+
+Parsed<LoadedScenario> load_scenario(const fs::path& file, const std::function<Parsed<void>(Scenario&)>& change, const std::string& planner) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
-  auto scenario = read_scenario(file);
+  auto scenario = read_scenario_or_configuration(file, planner);
   if (!scenario) return tl::unexpected{scenario.error()};
   if (change) {
     if (auto changed = change(*scenario); !changed) return tl::unexpected{changed.error()};

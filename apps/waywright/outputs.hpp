@@ -36,12 +36,13 @@ Parsed<void> write_plan(const std::filesystem::path& folder, const Problem& prob
 /// The same of a mission in legs.
 Parsed<void> write_plan(const std::filesystem::path& folder, const Plan& plan);
 
-/// Scenario file, read and changed, with the time that took.
+/// Scenario file, read and changed, with the time that took. A configuration file of the publication on RRT* with the whale optimisation algorithm is taken too, for
+/// `planner` where one is named; what its keys become is said on standard error.
 struct LoadedScenario {
   Scenario scenario;
   double load = 0.0;  ///< s
 };
-Parsed<LoadedScenario> load_scenario(const std::filesystem::path& file, const std::function<Parsed<void>(Scenario&)>& change = {});
+Parsed<LoadedScenario> load_scenario(const std::filesystem::path& file, const std::function<Parsed<void>(Scenario&)>& change = {}, const std::string& planner = {});
 
 /// For commands that know no legs: `why` is what is wrong with a mission in legs.
 Parsed<void> refuse_legs(const Scenario& scenario, const std::filesystem::path& file, const char* why, const char* allowed = "a scenario with one goal or station");

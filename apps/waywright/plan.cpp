@@ -88,7 +88,7 @@ struct Planning {
 };
 
 Parsed<Planning> ready(const PlanArguments& arguments) {
-  auto read = load_scenario(arguments.scenario, [&](Scenario& scenario) { return apply(arguments, scenario); });
+  auto read = load_scenario(arguments.scenario, [&](Scenario& scenario) { return apply(arguments, scenario); }, arguments.planner);
   if (!read) return tl::unexpected{read.error()};
   if (!read->scenario.legs.empty()) return Planning{std::nullopt, std::move(*read)};
   auto loaded = prepare(std::move(*read), arguments.scenario);
@@ -126,7 +126,7 @@ int plan(const PlanArguments& arguments) {
       arguments.json
           ? print_raw(plan_json(*plan))
           : print(plan_text(*plan) +
-                  fmt::format("written: {0}/plan.json, {0}/plan.svg, {0}/report.html\n", folder.string()));
+                  fmt::format("written: {0}/plan.json, {0}/plan.svg, {0}/report.html{1}\n", folder.string(), plan->search && planning->one ? ", and how the search went: " + (folder / "search.svg").string() : ""));
   return plan->status == Status::solved && printed ? solved : not_solved;
 }
 

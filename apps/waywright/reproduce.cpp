@@ -2,29 +2,51 @@
 
 #include "outputs.hpp"
 #include "waywright/io/files.hpp"
+#include "waywright/study/reproduce_rrt_woa.hpp"
 #include "waywright/study/reproduce_safe_astar.hpp"
 
 namespace waywright::app {
+namespace {
+
+/// What a publication's experiments came to.
+struct Reproduced {
+  std::string text, csv, svg;
+  std::vector<std::string> broken;  ///< printed trends that do not hold, a sentence each
+  std::string why_broken;           ///< what may be the reason
+};
+
+Reproduced safe_astar(int runs, const std::atomic<bool>* cancel) {
+  const auto experiments = reproduction::safe_astar(runs, cancel);
+  return {reproduction::text(experiments), reproduction::csv(experiments), reproduction::svg(experiments, 980.0), reproduction::broken_trends(experiments),
+          "with the same rules on the reconstructed maps (the printed maps are pictures, and ties are broken by rules that are not told)"};
+}
+
+Reproduced whales(int runs, const std::atomic<bool>* cancel) {
+  const auto results = rrt_woa::run(runs, cancel);
+  return {rrt_woa::text(results), rrt_woa::csv(results), rrt_woa::svg(results, 1100.0), rrt_woa::broken_trends(results),
+          "on the reconstructed maps (the publication tells neither scale nor map of its study, nor the local variant's cost)"};
+}
+
+}  // namespace
 
 int reproduce(const ReproduceArguments& arguments) {
-  if (arguments.what != "safe_astar") return complain({"", "WHAT", fmt::format("\"{}\" is not known", arguments.what), "safe_astar"});
-  const auto folder = arguments.out.value_or(default_folder("reproduce-safe_astar"));
+  const std::string& what = arguments.what;
+  if (what != "safe_astar" && what != "rrt_woa") return complain({"", "WHAT", fmt::format("\"{}\" is not known", what), "safe_astar, rrt_woa"});
+  const auto folder = arguments.out.value_or(default_folder("reproduce-" + what));
   if (auto ready = prepare_folder(folder); !ready) return complain(ready.error());
   bool is_whole = true;
-  const auto experiments = [&] {
+  Reproduced all = [&] {
     const Interruptible interruptible;
-    auto all = reproduction::safe_astar(arguments.runs, interruptible.flag());
+    Reproduced done = what == "safe_astar" ? safe_astar(arguments.runs.value_or(5), interruptible.flag()) : whales(arguments.runs.value_or(100), interruptible.flag());
     is_whole = !*interruptible.flag();
-    return all;
+    return done;
   }();
-  std::string text = reproduction::text(experiments);
-  const auto broken = reproduction::broken_trends(experiments);
-  text += broken.empty() ? "\nEvery printed trend holds.\n"
-                         : fmt::format("\nPrinted trends that do not hold with the same rules on the reconstructed maps (the printed maps are pictures, and ties are broken by rules that are not told):\n");
-  for (const std::string& sentence : broken) text += "  " + sentence + "\n";
-  const std::vector<NamedContent> files{{folder / "safe_astar.txt", text}, {folder / "safe_astar.csv", reproduction::csv(experiments)}, {folder / "safe_astar.svg", reproduction::svg(experiments, 980.0)}};
+  std::string text = std::move(all.text);
+  text += all.broken.empty() ? "\nEvery printed trend holds.\n" : fmt::format("\nPrinted trends that do not hold {}:\n", all.why_broken);
+  for (const std::string& sentence : all.broken) text += "  " + sentence + "\n";
+  const std::vector<NamedContent> files{{folder / (what + ".txt"), text}, {folder / (what + ".csv"), all.csv}, {folder / (what + ".svg"), all.svg}};
   if (auto written = write_files(files); !written) return complain(written.error());
-  text += fmt::format("\nwritten: {}/safe_astar.txt, safe_astar.csv, safe_astar.svg{}\n", folder.string(), is_whole ? "" : "; interrupted: what was finished is in them");
+  text += fmt::format("\nwritten: {0}/{1}.txt, {1}.csv, {1}.svg{2}\n", folder.string(), what, is_whole ? "" : "; interrupted: what was finished is in them");
   return print(text) && is_whole ? solved : not_solved;
 }
 

@@ -9,6 +9,7 @@
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/io/site_csv.hpp"
 #include "waywright/io/test_files.hpp"
+#include "waywright/io/whale_config.hpp"
 #include "waywright/judge/import.hpp"
 #include "waywright/judge/legs.hpp"
 #include "waywright/planner/solve_legs.hpp"
@@ -145,6 +146,19 @@ Outcome run_site(const std::string& text) {
   return Outcome::accepted;
 }
 
+Outcome run_whale_config(const std::string& text) {
+  const auto configured = parse_whale_config(text, "config.json", "nowhere");
+  if (!configured) {
+    require_sentence(configured.error());
+    return Outcome::refused;
+  }
+  require(!configured->mapping.empty(), "each key is told");
+  for (const std::string& line : configured->mapping) require(std::none_of(line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }), "in one line");
+  const auto again = parse_scenario(scenario_json(configured->scenario), "again", "nowhere");
+  require(again.has_value() && fingerprint(*again) == fingerprint(configured->scenario), "what it becomes is a scenario, and reads back to the same bits");
+  return Outcome::accepted;
+}
+
 std::vector<std::string> scenario_seeds() {
   std::vector<std::string> seeds{test::full_scenario, test::least_scenario,
                                  scenario_json(parse_scenario(test::full_scenario, "s", {}).value())};
@@ -210,6 +224,14 @@ std::vector<std::string> plan_seeds() {
     return plan_json(join_legs(mission, std::move(legs)));
   };
   return {plan_json(every), plan_json(holds), plan_json(through_zones), legs_of(2), legs_of(1)};
+}
+
+std::vector<std::string> whale_config_seeds() {
+  return {R"({"ReturnOnFirstPath": true, "RenderGraphics": false, "CreateVideo": false, "TestMode": true, "MapProcessor_Obstacles_Dilation": 0, "MapProcessor_Epsilon": 0.02,
+ "MapProcessor_Map_Name": "5", "PathPlanner_Iterations": 10000, "PathPlanner_Step_Size": 1.0, "PathPlanner_Search_Radius": 1.5, "PathPlanner_Goal_Threshold": 1.0,
+ "PathOptimizer_Population": 10, "PathOptimizer_Iterations": 10, "PathOptimizer_a_Parameter": 4.0, "PathOptimizer_b_Parameter": 1.0, "PathOptimizer_Shortness_Weight": 10.0,
+ "PathOptimizer_Collision_Free_Weight": 1.0, "PathOptimizer_Width_Bound": 2.5, "PathOptimizer_Height_Bound": 2.5})",
+          R"({"MapProcessor": {"Map_Name": 3}, "PathPlanner": {"Iterations": 100, "Step_Size": 0.5}, "PathOptimizer": {"Population": 10}})", R"({"MapProcessor_Map_Name": "map.png", "TestMode": false})"};
 }
 
 std::vector<std::string> poses_seeds() {

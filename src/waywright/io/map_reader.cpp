@@ -16,6 +16,7 @@
 #include "waywright/io/scenario_json.hpp"
 #include "waywright/io/vehicle_io.hpp"
 #include "waywright/map/published_maps.hpp"
+#include "waywright/map/whale_maps.hpp"
 
 namespace waywright {
 namespace {
@@ -188,15 +189,22 @@ class MapReader {
     take_grid(node_.at("image"), load_image_map(folder_ / name, resolution, origin, below), source);
   }
 
-  /// Cells are inlined in plans, so that no plan depends on what a later version would make.
+  /// Cells and polygons are inlined in plans, so that no plan depends on what a later version would make.
   void read_generated(Json& source) {
     const Node node = node_.at("generate");
     const std::string name = node.text();
     if (node.failed()) return;
+    if (auto hall = whale_map(name)) {
+      source["name"] = name;
+      append(map_, std::move(hall->map));
+      return;
+    }
     auto made = published_map(name);
     if (!made) {
       std::string names;
-      for (const std::string& n : published_map_names()) names += (names.empty() ? "" : ", ") + n;
+      for (const auto* all : {&published_map_names(), &whale_map_names()}) {
+        for (const std::string& n : *all) names += (names.empty() ? "" : ", ") + n;
+      }
       return node.fail(fmt::format("\"{}\" is not known", shortened(name)), names);
     }
     if (!count_cells(node_, made->grid.columns, made->grid.rows)) return;

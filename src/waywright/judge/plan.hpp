@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "waywright/core/result.hpp"
+#include "waywright/judge/search_picture.hpp"
 #include "waywright/metrics/metrics.hpp"
 #include "waywright/path/path.hpp"
 #include "waywright/proof/proof.hpp"
@@ -81,6 +82,7 @@ struct Plan {
   std::vector<std::string> explanation;
   std::vector<Alternative> alternatives;
   std::optional<Optimality> optimality;
+  std::optional<SearchPicture> search;  ///< for pictures; in no file
   std::vector<LegResult> legs;  ///< of a mission in legs, as far as it came; else none
 };
 

@@ -23,6 +23,7 @@ struct Planned {
   std::vector<std::string> explanation;   ///< why this one, against which alternatives
   std::vector<Alternative> alternatives;  ///< what was tried
   std::optional<Optimality> optimality{};
+  std::optional<SearchPicture> search{};
   bool begins_in_motion = false;          ///< the path begins at problem.first_pose(), though the vehicle moves there
 };
 
@@ -31,6 +32,7 @@ struct PlanningFailure {
   Failure failure;
   std::vector<std::string> explanation;
   std::vector<Alternative> alternatives;
+  std::optional<SearchPicture> search{};
 };
 
 using PlanningResult = tl::expected<Planned, PlanningFailure>;
@@ -111,6 +113,7 @@ struct PlannerDescription {
   bool passes_waypoints = false;   ///< of a mission; others are refused such a mission
   bool takes_free_goals = false;   ///< goals that leave the heading free; likewise
   bool counts_expansions = false;  ///< it keeps a budget of them
+  bool turns_on_the_spot = false;  ///< always: on vehicles that cannot it finds no path
   /// Does it, with these parameters, weigh preferred and penalty zones, and keep to directed ones by itself? Empty: no. (Forbidden ones are obstacles to all, and every path is judged.)
   std::function<bool(const Parameters&)> heeds_zones = {};
 };

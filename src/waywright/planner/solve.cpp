@@ -41,6 +41,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
     plan.explanation = std::move(result->explanation);
     plan.alternatives = std::move(result->alternatives);
     plan.optimality = result->optimality;
+    plan.search = std::move(result->search);
     if (problem.motion() && !description->goes_on_in_motion) plan.explanation.insert(plan.explanation.begin(), stop_sentence(problem));
     explain_mission(problem, plan, plan.explanation);
     plan.explanation.push_back(plan.status == Status::solved ? proof_sentence(problem, plan)
@@ -49,6 +50,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
     plan = failed_plan(problem, result.error().failure);
     plan.explanation = std::move(result.error().explanation);
     plan.alternatives = std::move(result.error().alternatives);
+    plan.search = std::move(result.error().search);
   }
   const bool heeds_zones = description->heeds_zones && description->heeds_zones(*parameters);
   if (std::string sentence = unheeded_zones_sentence(problem, description->name, heeds_zones); !sentence.empty()) plan.explanation.push_back(std::move(sentence));

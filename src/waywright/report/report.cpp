@@ -7,6 +7,7 @@
 #include "waywright/report/charts.hpp"
 #include "waywright/report/page.hpp"
 #include "waywright/report/scene.hpp"
+#include "waywright/report/scene_search.hpp"
 #include "waywright/report/svg_writer.hpp"
 #include "waywright/report/tables.hpp"
 #include "waywright/report/words.hpp"
@@ -99,8 +100,11 @@ std::string plan_svg(const Problem& problem, const Plan& plan) {
   return scene_svg(problem, plan, picture_width);
 }
 
+std::string search_picture_svg(const Problem& problem, const Plan& plan) { return plan.search ? search_svg(problem, plan, picture_width) : std::string{}; }
+
 std::string report_html(const Problem& problem, const Plan& plan) {
-  return page_html(plan, {scene_html(problem, plan, picture_width), charts_html(problem, plan), side(problem, plan), plan.samples.empty() ? "" : alternatives_table(plan),
+  const std::string search = plan.search ? "<h2>The search</h2>\n" + search_picture_svg(problem, plan) : std::string{};
+  return page_html(plan, {scene_html(problem, plan, picture_width), charts_html(problem, plan) + search, side(problem, plan), plan.samples.empty() ? "" : alternatives_table(plan),
                           scenario_table(problem, plan)});
 }
 

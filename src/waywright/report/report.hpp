@@ -15,6 +15,9 @@ namespace waywright {
 /// direction, tightest spot, scale bar, legend. Stands alone.
 std::string plan_svg(const Problem& problem, const Plan& plan);
 
+/// search.svg: how the search went, moving. Empty where the planner tells nothing of it.
+std::string search_picture_svg(const Problem& problem, const Plan& plan);
+
 /// report.html: one self-contained file.
 std::string report_html(const Problem& problem, const Plan& plan);
 

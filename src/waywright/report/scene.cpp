@@ -8,6 +8,7 @@
 
 #include "waywright/geometry/polygon.hpp"
 #include "waywright/report/scene_parts.hpp"
+#include "waywright/report/scene_search.hpp"
 #include "waywright/report/scene_zones.hpp"
 #include "waywright/report/spots.hpp"
 #include "waywright/report/words.hpp"
@@ -39,6 +40,7 @@ class Scene {
     draw_zone_areas(svg_, problem_.scenario().zones);
     draw_zones();
     numbered_ = draw_map(svg_, problem_.scenario(), canvas_.region);
+    if (plan_.search) draw_search(svg_, *plan_.search);
     draw_sweep(svg_, problem_.footprint(), plan_.samples);
     draw_alternatives();
     draw_path(svg_, plan_.samples);
@@ -103,6 +105,9 @@ class Scene {
       entries.push_back(
           {"alt", Shape::line,
            plan_.samples.empty() ? "tried in vain, as far as it came" : "what was not taken"});
+    if (plan_.search) {
+      for (LegendEntry& entry : search_legend(*plan_.search)) entries.push_back(std::move(entry));
+    }
     if (blocked_) entries.push_back({"hit", Shape::box, "where it touches or comes too near"});
     if (tight_)
       entries.push_back(

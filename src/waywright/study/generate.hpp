@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "waywright/core/result.hpp"
 #include "waywright/io/image.hpp"
@@ -40,5 +41,9 @@ struct GeneratedSite {
 /// @pre 1 ≤ count ≤ most_generated_stations
 GeneratedSite generate_site(std::uint64_t seed, int count, const Vehicle& vehicle);
 inline constexpr int most_generated_stations = 1000;
+
+/// The first task on a publication's map (`published_map`, `whale_map`), for a point that turns on the spot and looks from start to goal at both; planned by
+/// astar unless another is asked for. Empty where no map has the name.
+std::optional<Scenario> published_scenario(std::string_view name);
 
 }  // namespace waywright

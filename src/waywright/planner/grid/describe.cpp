@@ -52,6 +52,7 @@ PlannerDescription theta_star_description() {
                          return GridPlanner{"theta_star", options};
                        }};
   d.counts_expansions = true;
+  d.turns_on_the_spot = true;
   d.heeds_zones = [](const Parameters&) { return true; };
   d.takes_free_goals = true;
   return d;
@@ -68,6 +69,7 @@ std::vector<PlannerDescription> grid_planner_descriptions() {
                                        : "the same without a heuristic, searching outwards on all sides",
                          parameters(has_heuristic), [name = std::string{name}](const Parameters& p, std::uint64_t) -> AnyPlanner { return GridPlanner{name, options_of(p)}; }};
     d.counts_expansions = true;
+    d.turns_on_the_spot = true;
     d.heeds_zones = [](const Parameters&) { return true; };
     d.takes_free_goals = true;
     all.push_back(std::move(d));

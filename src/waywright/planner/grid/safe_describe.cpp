@@ -35,6 +35,7 @@ PlannerDescription description(const char* name, const char* summary, PublishedM
                          return SafePlanner{name, options};
                        }};
   d.counts_expansions = true;
+  d.turns_on_the_spot = true;
   d.heeds_zones = [](const Parameters& p) { return std::get<std::string>(p.at("form")) == "corrected"; };
   d.takes_free_goals = method == PublishedMethod::danger;  // the others aim at a point from the beginning
   return d;

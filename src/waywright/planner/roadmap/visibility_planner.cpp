@@ -118,6 +118,7 @@ PlannerDescription visibility_graph_description() {
                        [](const Parameters&, std::uint64_t) -> AnyPlanner { return VisibilityPlanner{}; }};
   d.counts_expansions = true;
   d.takes_free_goals = true;
+  d.turns_on_the_spot = true;
   return d;
 }
 

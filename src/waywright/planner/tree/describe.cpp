@@ -83,6 +83,7 @@ PlannerDescription described(const char* name, const char* summary, TreeMethod m
                        }};
   d.counts_samples = [](const Parameters&) { return true; };
   d.takes_free_goals = true;
+  d.turns_on_the_spot = true;
   return d;
 }
 

@@ -28,12 +28,14 @@ std::vector<Vec2> with_more_corners(const std::vector<Vec2>& points, double boun
 }  // namespace
 
 ImprovedWay improved_way(const std::vector<Vec2>& way, const PlaneSpace& space, const WhaleRefinementOptions& options, int rounds, std::uint64_t seed, Budget& budget) {
-  ImprovedWay improved{taut_way(way, space), 0, 0};
+  ImprovedWay improved{taut_way(way, space), 0, 0, {}, {}};
   WhaleRefinement refinement;
+  refinement.draw_into(&improved.agents);
   WhaleRefinementOptions round = options;
   double length = length_of_way(improved.points);
-  while (improved.rounds < rounds && round.bound > least_bound && improved.points.size() > 2 && !budget.exhausted()) {
+  while (improved.rounds < rounds && round.bound > least_bound && improved.points.size() > 2 && improved.evaluations < options.evaluations && !budget.exhausted()) {
     const std::uint64_t round_seed = Random::stream(seed, 16 + static_cast<std::uint64_t>(improved.rounds)).next();
+    round.evaluations = options.evaluations - improved.evaluations;
     const std::vector<Vec2> moved = refinement.refined(with_more_corners(improved.points, round.bound), space, round, round_seed, budget);
     improved.evaluations += refinement.evaluations();
     ++improved.rounds;
@@ -42,6 +44,7 @@ ImprovedWay improved_way(const std::vector<Vec2>& way, const PlaneSpace& space, 
     if (now < length) improved.points = std::move(taut);
     if (!(now < length * (1.0 - little_gain))) round.bound *= 0.5;
     length = std::min(length, now);
+    improved.ways.push_back(improved.points);
   }
   return improved;
 }

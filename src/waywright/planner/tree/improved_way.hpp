@@ -9,6 +9,8 @@ struct ImprovedWay {
   std::vector<Vec2> points;
   int rounds = 0;
   std::int64_t evaluations = 0;
+  std::vector<std::vector<std::vector<Vec2>>> agents;  ///< ways of all after each iteration, for pictures
+  std::vector<std::vector<Vec2>> ways;                ///< after each round
 };
 
 /// Each round leaves out corners that their neighbours see each other past, puts one before and one behind each that is left (at most `bound` away, no farther than half

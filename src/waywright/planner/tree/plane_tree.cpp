@@ -27,6 +27,7 @@ double logarithm(double x) {
 }  // namespace
 
 bool PlaneTree::is_edge_free(Vec2 a, Vec2 b) {
+  if (statistics_.edges >= most_edges_) return false;  // spent: the search ends
   ++statistics_.edges;
   return space_->is_free(a, b);
 }
@@ -89,6 +90,11 @@ void PlaneTree::detach(std::uint32_t node) {
   if (n.after != none) nodes_[n.after].before = n.before;
 }
 
+void PlaneTree::hang(std::uint32_t node, std::uint32_t parent, double edge) {
+  attach(node, parent, edge);
+  hung_.push_back({node, parent, static_cast<std::uint32_t>(statistics_.samples)});
+}
+
 /// A node's new cost, to all that hangs on it.
 void PlaneTree::pass_on(std::uint32_t node) {
   waiting_.assign(1, node);
@@ -120,6 +126,10 @@ void PlaneTree::choose_best() {
       best_ = static_cast<std::uint32_t>(i);
     }
   }
+  if (is_found() && (best_ways_.empty() || best_length_ < drawn_length_)) {
+    drawn_length_ = best_length_;
+    best_ways_.push_back({way(), static_cast<std::uint32_t>(statistics_.samples)});
+  }
 }
 
 /// @pre the edge from `near` is free
@@ -128,7 +138,7 @@ void PlaneTree::insert(Vec2 at, std::uint32_t near) {
   if (!options_.rewires) {
     const std::uint32_t node = bins_.add(at);
     nodes_.emplace_back();
-    attach(node, near, to_near);
+    hang(node, near, to_near);
     look_for_goal(node);
     return;
   }
@@ -161,12 +171,12 @@ void PlaneTree::insert(Vec2 at, std::uint32_t near) {
   }
   const std::uint32_t node = bins_.add(at);
   nodes_.emplace_back();
-  attach(node, parent, edge);
+  hang(node, parent, edge);
   const double cost = nodes_[node].cost;
   for (const Neighbour& n : neighbours_) {
     if (!(cost + n.length < nodes_[n.node].cost) || n.node == parent || !is_edge_free(at, bins_[n.node])) continue;
     detach(n.node);
-    attach(n.node, node, n.length);
+    hang(n.node, node, n.length);
     pass_on(n.node);
     ++statistics_.rewired;
     is_changed_ = is_changed_ || !goal_edges_.empty();
@@ -179,6 +189,7 @@ void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, V
   space_ = &space;
   options_ = options;
   goal_ = goal;
+  most_edges_ = edges;
   gamma_ = 1.0001 * 2.0 * std::sqrt(1.5) * std::sqrt(space.free_area() / std::numbers::pi);
   bins_.clear(space.region());
   nodes_.clear();
@@ -186,6 +197,8 @@ void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, V
   best_ = none;
   best_length_ = std::numeric_limits<double>::infinity();
   is_changed_ = false;
+  hung_.clear();
+  best_ways_.clear();
   statistics_ = {};
   Random random = Random::stream(seed, 0);
   bins_.add(start);
@@ -217,6 +230,22 @@ void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, V
     }
     if (is_found() && options_.first_path) return;
   }
+}
+
+SearchPicture PlaneTree::picture() const {
+  SearchPicture picture;
+  picture.name = options_.rewires ? "tree of RRT*" : "tree of RRT";
+  picture.step = "sample";
+  picture.steps = static_cast<std::uint32_t>(statistics_.samples);
+  std::vector<std::uint32_t> last(nodes_.size(), none);  // line of a node
+  picture.lines.reserve(hung_.size());
+  for (const Hung& h : hung_) {
+    if (last[h.node] != none) picture.lines[last[h.node]].gone = h.sample;
+    last[h.node] = static_cast<std::uint32_t>(picture.lines.size());
+    picture.lines.push_back({bins_[h.parent], bins_[h.node], h.sample, SearchPicture::never});
+  }
+  picture.ways = best_ways_;
+  return picture;
 }
 
 std::vector<Vec2> PlaneTree::way() const {

@@ -11,6 +11,7 @@
 
 #include "waywright/core/budget.hpp"
 #include "waywright/core/random.hpp"
+#include "waywright/judge/search_picture.hpp"
 #include "waywright/planner/plane/plane_space.hpp"
 #include "waywright/planner/plane/plane_target.hpp"
 #include "waywright/planner/plane/point_bins.hpp"
@@ -51,7 +52,7 @@ class PlaneTree {
  public:
   static constexpr std::uint32_t none = PointBins::none;
 
-  /// The space outlives the search. @pre the start is free. `edges`: at most so many lines are tested.
+  /// The space outlives the search. @pre the start is free. `edges`: at most so many lines are tested; then it ends.
   void grow(const PlaneSpace& space, const PlaneTreeOptions& options, Vec2 start, const PlaneTarget& goal, std::uint64_t seed, Budget& budget, std::int64_t edges,
             Steering* steering = nullptr);
 
@@ -66,6 +67,9 @@ class PlaneTree {
   double cost(std::uint32_t node) const { return nodes_[node].cost; }
   std::uint32_t nearest(Vec2 to) const { return bins_.nearest(to); }
 
+  /// How it grew: every edge with the samples between which it was there, and the best ways.
+  SearchPicture picture() const;
+
  private:
   struct Node {
     double cost = 0.0;  // m from the start
@@ -77,6 +81,9 @@ class PlaneTree {
     std::uint32_t node;
     Vec2 end;
     double length;
+  };
+  struct Hung {  // a node, on a parent from a sample on
+    std::uint32_t node, parent, sample;
   };
   struct Neighbour {
     double through;  // m, cost of the new node by this one
@@ -92,18 +99,22 @@ class PlaneTree {
   void insert(Vec2 at, std::uint32_t near);
   void look_for_goal(std::uint32_t node);
   void choose_best();
+  void hang(std::uint32_t node, std::uint32_t parent, double edge);
 
   const PlaneSpace* space_ = nullptr;
   PlaneTreeOptions options_;
   PlaneTarget goal_;
+  std::int64_t most_edges_ = 0;
   double gamma_ = 0.0;  // m, of the proven radius
   PointBins bins_;
   std::vector<Node> nodes_;
   std::vector<GoalEdge> goal_edges_;
   std::vector<Neighbour> neighbours_;
   std::vector<std::uint32_t> waiting_;
+  std::vector<Hung> hung_;                   // in order
+  std::vector<SearchPicture::Way> best_ways_;
   std::uint32_t best_ = none;  // index into goal_edges_
-  double best_length_ = 0.0;
+  double best_length_ = 0.0, drawn_length_ = 0.0;
   bool is_changed_ = false;
   PlaneTreeStatistics statistics_;
 };

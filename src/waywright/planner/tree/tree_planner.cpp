@@ -17,6 +17,9 @@ namespace {
 
 using grid::counted;
 
+constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
+constexpr std::size_t most_swarms = 40;  // in a picture
+
 std::vector<Pose> picture_of(const std::vector<Vec2>& points) {
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -24,6 +27,18 @@ std::vector<Pose> picture_of(const std::vector<Vec2>& points) {
     poses.push_back(make_pose(points[i], angle_of(along)));
   }
   return poses;
+}
+
+/// Behind the tree's samples, a tenth of its time.
+void draw_swarm(SearchPicture& picture, const std::vector<std::vector<std::vector<Vec2>>>& iterations, const std::vector<std::vector<Vec2>>& ways) {
+  const std::uint32_t first = picture.steps, each = std::max<std::uint32_t>(1, first / 40);
+  for (const auto& agents : iterations) {
+    picture.swarms.push_back({agents, picture.steps});
+    picture.steps += each;
+    if (picture.swarms.size() >= most_swarms) break;
+  }
+  const std::size_t per_way = std::max<std::size_t>(1, picture.swarms.size() / std::max<std::size_t>(1, ways.size()));
+  for (std::size_t i = 0; i < ways.size(); ++i) picture.ways.push_back({ways[i], first + static_cast<std::uint32_t>((i + 1) * per_way) * each});
 }
 
 const char* tree_name(TreeMethod method) { return method == TreeMethod::rrt ? "RRT" : "RRT*"; }
@@ -42,6 +57,10 @@ class TreePlanner::Ready {
     using grid::failure;
     const Problem& problem = space_.problem();
     if (auto reason = nothing_to_plan(problem, name)) return tl::unexpected{failure(Status::no_path, std::move(*reason))};
+    if (budget.exhausted()) {
+      return tl::unexpected{budget.canceled() ? failure(Status::canceled, "canceled before the search began")
+                                              : failure(Status::timed_out, fmt::format("the {:g} s of its budget were over before the search began", budget.limits().seconds.value_or(0.0)))};
+    }
     const auto start = plane_start(space_);
     const bool is_region = problem.free_goal() != nullptr && !problem.free_goal()->is_point();
     const auto goal = is_region ? std::optional<PlaneEnd>{PlaneEnd{}} : plane_goal(space_);
@@ -51,7 +70,7 @@ class TreePlanner::Ready {
     }
     PlaneTreeOptions tree_options = options.tree;
     tree_options.samples = budget.limits().samples.value_or(tree_options.samples);
-    const std::int64_t edges = budget.evaluations_left().value_or(std::numeric_limits<std::int64_t>::max());
+    const std::int64_t edges = budget.evaluations_left().value_or(no_limit);
     auto lent = trees_.lend();
     PlaneTree& tree = *lent;
     std::optional<WhaleSteering> steering;
@@ -96,6 +115,7 @@ class TreePlanner::Ready {
     for (std::uint32_t n = nearest; n != PlaneTree::none; n = tree.parent(n)) points.insert(points.begin(), tree.place(n));
     tried.poses = picture_of(points);
     failed.alternatives.push_back(std::move(tried));
+    failed.search = tree.picture();
     failed.explanation.push_back(reason + ".");
     return failed;
   }
@@ -117,6 +137,7 @@ class TreePlanner::Ready {
       alternative.poses = picture_of(way);
       planned.alternatives.push_back(std::move(alternative));
     };
+    planned.search = tree.picture();
     std::string what = fmt::format("This is the path of a sampling planner, {} for {} of {:.3f} m: another seed gives another path. Its tree has {} after {}, with {} tested", tree_name(options.method),
                                    space_.problem().footprint().is_disc() ? "a disc" : "the disc around the footprint,", space_.disc(), counted(static_cast<std::int64_t>(tree.size()), "node"),
                                    counted(statistics.samples, "sample"), counted(statistics.edges, "line"));
@@ -131,15 +152,21 @@ class TreePlanner::Ready {
                                  options.steering.population, options.steering.iterations, counted(steering->evaluations(), "evaluation"), counted(steering->lines(), "line")));
     }
     if (options.method == TreeMethod::woa_global) {
+      WhaleRefinementOptions refining = options.refinement;
+      refining.evaluations = budget.evaluations_left().value_or(no_limit);
       if (options.rounds > 0) {
-        const ImprovedWay improved = improved_way(points, space_, options.refinement, options.rounds, seed, budget);
+        ImprovedWay improved = improved_way(points, space_, refining, options.rounds, seed, budget);
         points = improved.points;
+        draw_swarm(*planned.search, improved.agents, improved.ways);
         budget.count_evaluations(improved.evaluations);
         text.push_back(fmt::format("The whale optimisation algorithm moved its corners in {}, corners dropped and inserted between: {:.3f} m after {}.", counted(improved.rounds, "round"),
                                    length_of_way(points), counted(improved.evaluations, "evaluation")));
       } else {
         WhaleRefinement refinement;
-        points = refinement.refined(points, space_, options.refinement, seed, budget);
+        std::vector<std::vector<std::vector<Vec2>>> agents;
+        refinement.draw_into(&agents);
+        points = refinement.refined(points, space_, refining, seed, budget);
+        draw_swarm(*planned.search, agents, {points});
         budget.count_evaluations(refinement.evaluations());
         text.push_back(fmt::format("The whale optimisation algorithm moved its corners, as published: {:.3f} m after {}.", length_of_way(points), counted(refinement.evaluations(), "evaluation")));
       }

@@ -30,9 +30,21 @@ bool WhaleRefinement::is_free(const double* corners) {
   return true;
 }
 
+void WhaleRefinement::draw(int population) {
+  if (drawn_ == nullptr) return;
+  std::vector<std::vector<Vec2>>& agents = drawn_->emplace_back();
+  for (int i = 0; i < population; ++i) {
+    const double* const a = agents_.data() + static_cast<std::size_t>(i) * 2 * corners_;
+    std::vector<Vec2>& points = agents.emplace_back();
+    points.push_back(start_);
+    for (std::size_t k = 0; k < corners_; ++k) points.push_back({a[k], a[corners_ + k]});
+    points.push_back(goal_);
+  }
+}
+
 std::vector<Vec2> WhaleRefinement::refined(const std::vector<Vec2>& way, const PlaneSpace& space, const WhaleRefinementOptions& options, std::uint64_t seed, Budget& budget) {
   evaluations_ = lines_ = 0;
-  if (way.size() < 3) return way;
+  if (way.size() < 3 || options.evaluations < 1) return way;
   space_ = &space;
   start_ = way.front();
   goal_ = way.back();
@@ -56,6 +68,7 @@ std::vector<Vec2> WhaleRefinement::refined(const std::vector<Vec2>& way, const P
   ++evaluations_;
   Random random = Random::stream(seed, 1);
   const auto look = [&](const double* agent) {
+    if (evaluations_ >= options.evaluations) return;
     ++evaluations_;
     const double metres = length_of(agent);
     if (!(metres < shortest) || !is_free(agent)) return;
@@ -75,8 +88,9 @@ std::vector<Vec2> WhaleRefinement::refined(const std::vector<Vec2>& way, const P
     }
   }
   for (int i = 1; i < options.population; ++i) look(agent(i));
+  draw(options.population);
   std::vector<double> leader;
-  for (int t = 0; t < options.iterations && !budget.exhausted(); ++t) {
+  for (int t = 0; t < options.iterations && evaluations_ < options.evaluations && !budget.exhausted(); ++t) {
     const double reach = whale_reach(options.whale.start, static_cast<std::size_t>(t), static_cast<std::size_t>(options.iterations));
     leader = best_;
     for (int i = 0; i < options.population; ++i) {
@@ -85,6 +99,7 @@ std::vector<Vec2> WhaleRefinement::refined(const std::vector<Vec2>& way, const P
       make_whale_step(step, {target, variables}, low_, high_, {agent(i), variables});
     }
     for (int i = 0; i < options.population; ++i) look(agent(i));
+    draw(options.population);
   }
   std::vector<Vec2> points{start_};
   for (std::size_t k = 0; k < corners_; ++k) points.push_back({best_[k], best_[corners_ + k]});

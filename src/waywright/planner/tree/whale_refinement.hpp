@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "waywright/core/budget.hpp"
@@ -15,6 +16,7 @@ struct WhaleRefinementOptions {
   int iterations = 10;
   double bound = 2.5;  ///< m, that each coordinate of a corner may leave its place by
   WhaleParameters whale{.start = 4.0};
+  std::int64_t evaluations = std::numeric_limits<std::int64_t>::max();  ///< at most
 };
 
 /// One way after another in the same memory; one object, one thread.
@@ -28,18 +30,23 @@ class WhaleRefinement {
   /// @pre the way is free, two points at least. Ends early, with the best so far, where the budget's clock or flag says so.
   std::vector<Vec2> refined(const std::vector<Vec2>& way, const PlaneSpace& space, const WhaleRefinementOptions& options, std::uint64_t seed, Budget& budget);
 
+  /// From now on where agents were after each iteration is kept for pictures: of every run, one after another.
+  void draw_into(std::vector<std::vector<std::vector<Vec2>>>* iterations) { drawn_ = iterations; }
+
   std::int64_t evaluations() const { return evaluations_; }  ///< of the last call
   std::int64_t lines() const { return lines_; }              ///< likewise, whose freedom was asked for
 
  private:
   double length_of(const double* corners);
   bool is_free(const double* corners);
+  void draw(int population);
 
   const PlaneSpace* space_ = nullptr;
   Vec2 start_{}, goal_{};
   std::size_t corners_ = 0;
   // All x first, then all y.
   std::vector<double> low_, high_, agents_, best_, squares_;
+  std::vector<std::vector<std::vector<Vec2>>>* drawn_ = nullptr;
   std::int64_t evaluations_ = 0, lines_ = 0;
 };
 
