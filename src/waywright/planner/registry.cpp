@@ -9,7 +9,9 @@
 #include "waywright/planner/grid/grid_planner.hpp"
 #include "waywright/planner/grid/safe_planner.hpp"
 #include "waywright/planner/ompl/ompl_planner.hpp"
+#include "waywright/planner/roadmap/prm_planner.hpp"
 #include "waywright/planner/roadmap/visibility_planner.hpp"
+#include "waywright/planner/roadmap/voronoi_planner.hpp"
 #include "waywright/planner/spline/describe.hpp"
 #include "waywright/planner/state_lattice/clearance_optimal.hpp"
 #include "waywright/planner/tree/tree_planner.hpp"
@@ -144,6 +146,8 @@ const std::vector<PlannerDescription>& planners() {
     for (PlannerDescription& p : safe_planner_descriptions()) list.push_back(std::move(p));
     list.push_back(clearance_optimal_description());
     list.push_back(visibility_graph_description());
+    list.push_back(prm_description());
+    list.push_back(voronoi_description());
     for (PlannerDescription& p : tree_planner_descriptions()) list.push_back(std::move(p));
     return list;
   }();

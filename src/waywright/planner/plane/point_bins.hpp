@@ -52,6 +52,13 @@ class PointBins {
     }
     found.resize(count);
   }
+  /// The same, calling seen(index, squared distance) for each.
+  template <class Seen>
+  void visit(Vec2 at, double radius, Seen&& seen) const {
+    std::vector<Near> found;
+    within(at, radius, found);
+    for (const Near& n : found) seen(n.index, n.squared);
+  }
 
  private:
   static constexpr std::size_t wide = 8;

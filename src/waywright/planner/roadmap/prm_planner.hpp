@@ -1,0 +1,36 @@
+// Planner `prm`: a probabilistic roadmap in the plane.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "waywright/planner/planner.hpp"
+#include "waywright/planner/roadmap/probabilistic_roadmap.hpp"
+
+namespace waywright {
+
+struct PrmPlannerOptions {
+  RoadmapOptions roadmap{};
+  bool shortens = true;  ///< leaves out corners that the ones beside them see each other past
+};
+
+/// For vehicles that can turn on the spot, and the disc around their footprint.
+class PrmPlanner {
+ public:
+  PrmPlanner(PrmPlannerOptions options, std::uint64_t seed) : options_{options}, seed_{seed} {}
+
+  PlanningResult plan(const Problem& problem, Budget& budget) const;
+  std::string_view name() const { return "prm"; }
+  /// The roadmap of as many samples as the scenario's budget or the parameter asks for, up to 20 000; larger ones grow under a plan's own budget.
+  PrmPlanner prepared(const Problem& problem) const;
+
+ private:
+  class Ready;
+  PrmPlannerOptions options_;
+  std::uint64_t seed_;
+  std::shared_ptr<const Ready> ready_;
+};
+
+PlannerDescription prm_description();
+
+}  // namespace waywright
