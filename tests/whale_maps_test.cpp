@@ -125,5 +125,23 @@ TEST_F(CommandLine, PublishedMapsAreListedAndGenerated) {
   refused(run("generate WOA-1 --boxes 3 -o g1.json"), {"--boxes"});
 }
 
+TEST_F(CommandLine, ThePublicationsConfigurationIsPlanned) {
+  std::ofstream{folder_ / "c.json"} << R"({"TestMode": true, "MapProcessor_Map_Name": "2", "PathPlanner_Iterations": 10000, "PathPlanner_Step_Size": 1.0, "PathOptimizer_Population": 10,
+})";
+  const auto other = run("plan c.json --planner theta_star -o o");
+  ASSERT_EQ(other.status, 0) << other.err;
+  for (const char* told : {"MapProcessor_Map_Name \"2\" -> map.generate = \"WOA-2\"", "TestMode true is ignored", "PathPlanner_Step_Size 1.0 is ignored: theta_star has no such parameter"}) {
+    EXPECT_NE(other.err.find(told), std::string::npos) << told << other.err;
+  }
+  EXPECT_EQ(run("verify o/plan.json").status, 0);
+  std::filesystem::remove_all(folder_ / "o");
+  std::ofstream{folder_ / "u.json"} << R"({"MapProcessor_Map_Name": "2", "PathPlanner_Steps": 1})";
+  refused(run("plan u.json"), {"PathPlanner_Steps", "unknown key", "PathPlanner_Step_Size"});
+  if (find_planner("rrt_star_woa_global") == nullptr) GTEST_SKIP() << "rrt_star_woa_global is not registered";
+  const auto global = run("plan c.json -o g");
+  EXPECT_EQ(global.status, 0) << global.out << global.err;
+  EXPECT_NE(global.err.find("PathPlanner_Step_Size 1.0 -> planner.parameters.step = 1"), std::string::npos) << global.err;
+}
+
 }  // namespace
 }  // namespace waywright
