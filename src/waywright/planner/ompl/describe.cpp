@@ -76,9 +76,9 @@ Own own_parameters(SamplingPlanner planner) {
 std::int64_t usual_checks(SamplingPlanner planner) {
   switch (planner) {
     case SamplingPlanner::rrt_star:
-    case SamplingPlanner::informed_rrt_star: return 30000;
-    case SamplingPlanner::bit_star: return 5000;
-    case SamplingPlanner::ait_star: return 2000;
+    case SamplingPlanner::informed_rrt_star: return 10000;
+    case SamplingPlanner::bit_star: return 3000;
+    case SamplingPlanner::ait_star: return 1500;
     default: return OmplOptions{}.checks;
   }
 }
