@@ -42,8 +42,6 @@ class LazySearch {
 
   RoadmapAnswer run() {
     const std::vector<std::uint32_t> from_start = roadmap_.near(start_), to_goal = roadmap_.near(goal_);
-    answer_.start_links = static_cast<std::int64_t>(from_start.size());
-    answer_.goal_links = static_cast<std::int64_t>(to_goal.size());
     is_before_goal_.assign(count_, false);
     for (const std::uint32_t i : to_goal) is_before_goal_[i] = true;
     parents_.assign(count_ + 2, none);
@@ -111,6 +109,7 @@ class LazySearch {
         if (!space_.is_free(from, to)) continue;
       }
       settle(next.node, next.parent, next.cost);
+      answer_.taken.push_back({from, to, static_cast<std::uint32_t>(std::min<std::int64_t>(answer_.lines, SearchPicture::never - 1))});
       if (next.node == goal()) return RoadmapEnd::found;
       if (waiting_.size() > ProbabilisticRoadmap::most_waiting) return RoadmapEnd::crowded;
       if (is_before_goal_[next.node]) offer(next.node, goal());
@@ -192,27 +191,39 @@ std::vector<std::uint32_t> ProbabilisticRoadmap::nearest(Vec2 at, std::size_t co
 bool ProbabilisticRoadmap::join_nearest(Budget& budget) {
   const auto n = static_cast<std::uint32_t>(bins_.size());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  bool is_whole = true;
+  std::vector<std::uint32_t> begin(n + 1, 0);
+  first_.assign(n + 1, 0);
   for (std::uint32_t i = 0; i < n; ++i) {
-    if (i % clock_every == 0 && budget.exhausted()) {
-      is_whole = false;
-      break;
-    }
+    if (i % clock_every == 0 && budget.exhausted()) return false;
     for (const std::uint32_t k : nearest(bins_[i], static_cast<std::size_t>(options_.neighbours) + 1)) {
       if (k == i) continue;
       pairs.emplace_back(i, k);
-      pairs.emplace_back(k, i);
+      ++begin[i + 1];
+      ++begin[k + 1];
     }
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  first_.assign(n + 1, 0);
+  for (std::uint32_t i = 0; i < n; ++i) begin[i + 1] += begin[i];
+  joined_.resize(2 * pairs.size());
+  std::vector<std::uint32_t> fill(begin.begin(), begin.end() - 1);
   for (const auto& [i, k] : pairs) {
-    ++first_[i + 1];
-    joined_.push_back(k);
+    joined_[fill[i]++] = k;
+    joined_[fill[k]++] = i;
   }
-  for (std::uint32_t i = 0; i < n; ++i) first_[i + 1] += first_[i];
-  return is_whole;
+  // Those that are each other's are there twice.
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if (i % clock_every == 0 && budget.exhausted()) {
+      first_.assign(n + 1, 0);
+      return false;
+    }
+    const auto from = joined_.begin() + begin[i], to = joined_.begin() + begin[i + 1];
+    std::sort(from, to);
+    first_[i] = kept;
+    kept += static_cast<std::uint32_t>(std::copy(from, std::unique(from, to), joined_.begin() + kept) - (joined_.begin() + kept));
+  }
+  first_[n] = kept;
+  joined_.resize(kept);
+  return true;
 }
 
 std::vector<std::uint32_t> ProbabilisticRoadmap::neighbours_of(std::uint32_t i) const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "waywright/core/budget.hpp"
+#include "waywright/judge/search_picture.hpp"
 #include "waywright/planner/plane/plane_space.hpp"
 #include "waywright/planner/plane/plane_target.hpp"
 #include "waywright/planner/plane/point_bins.hpp"
@@ -29,7 +30,7 @@ struct RoadmapAnswer {
   double length = 0.0;          ///< m
   std::int64_t lines = 0;       ///< whose freedom was asked for
   std::int64_t reached = 0;     ///< places, the start among them
-  std::int64_t start_links = 0, goal_links = 0;  ///< places near enough to be joined to the ends
+  std::vector<SearchPicture::Line> taken;  ///< lines by which places were reached first, each with how many were tested by then
 };
 
 /// Immutable once grown; queries may run on many threads. The space outlives it.
