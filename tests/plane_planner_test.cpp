@@ -59,7 +59,9 @@ TEST(PlanePlanners, EveryPathIsProvenAndNoneIsShorterThanTheBound) {
     }
     for (const char* name : {"astar", "theta_star"}) {
       const Plan plan = planned(s, name);
-      if (plan.status == Status::solved) EXPECT_GE(plan.metrics.length, least.metres - 1e-6) << name << " " << i;
+      if (plan.status == Status::solved) {
+        EXPECT_GE(plan.metrics.length, least.metres - 1e-6) << name << " " << i;
+      }
     }
   }
   EXPECT_GT(halls, 18);
@@ -80,7 +82,7 @@ TEST(PlanePlanners, AShutDoorIsNamedAsNoWayAtAll) {
     EXPECT_EQ(plan.status, Status::no_path) << name;
     EXPECT_NE(plan.reason.find("none at all"), std::string::npos) << name << ": " << plan.reason;
   }
-  s.vehicle.footprint.disc = 0.2;
+  s.vehicle.footprint.disc = 0.1;
   for (const auto& [name, parameters] : planners_in_the_plane()) EXPECT_EQ(planned(s, name, parameters).status, Status::solved) << name;
 }
 
@@ -116,7 +118,7 @@ TEST(PlanePlanners, TellHowTheSearchWent) {
   ASSERT_FALSE(plan.search->ways.empty());
   const Plan global = planned(s, "rrt_star_woa_global", {{"iterations", 500.0}, {"rounds", 0.0}});
   ASSERT_TRUE(global.search);
-  if (global.explanation.size() > 1 && global.alternatives.front().outcome.find("0 corners") == std::string::npos) EXPECT_EQ(global.search->swarms.size(), 11U);
+  EXPECT_EQ(global.search->swarms.size(), 11U);  // the first agents, and ten iterations
 }
 
 TEST(PlanePlanners, LessWorkIsDoneWhereLessIsAllowed) {

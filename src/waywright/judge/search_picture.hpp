@@ -28,7 +28,6 @@ struct SearchPicture {
   };
   std::string name;         ///< of the lines: "tree of RRT*", "roadmap"
   std::uint32_t steps = 0;  ///< in all
-  std::string step;         ///< what one is: "sample"
   std::vector<Line> lines;
   std::vector<Way> ways;
   std::vector<Swarm> swarms;

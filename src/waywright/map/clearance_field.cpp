@@ -35,6 +35,7 @@ ClearanceField::ClearanceField(const World& world, const Box& region, const Opti
     return bits;
   };
   while (static_cast<double>(1 << shift()) * cells(size.y) > static_cast<double>(options.most_cells)) cell_ *= 2.0;
+  cells_per_metre_ = 1.0 / cell_;
   row_shift_ = shift();
   columns_ = static_cast<int>(cells(size.x));
   rows_ = static_cast<int>(cells(size.y));
@@ -108,14 +109,6 @@ void ClearanceField::fill_block(const World& world, int column, int row, double 
       value(c, r) = rounded_down(std::min(distance - cell_radius, options.cap));
     }
   }
-}
-
-float ClearanceField::at(Vec2 point) const {
-  const Vec2 local = point - origin_;
-  const double column = local.x / cell_;
-  const double row = local.y / cell_;
-  if (!(column >= 0.0 && row >= 0.0 && column < columns_ && row < rows_)) return -1.0F;
-  return values_[index(static_cast<int>(column), static_cast<int>(row))];
 }
 
 }  // namespace waywright

@@ -21,7 +21,11 @@ class ClearanceField {
   ClearanceField(const World& world, const Box& region, const Options& options);
 
   /// Lower bound in m of the distance from a point to anything blocked, 0 inside it; −1 outside the region and in its rim.
-  float at(Vec2 point) const;
+  float at(Vec2 point) const {
+    const double column = (point.x - origin_.x) * cells_per_metre_, row = (point.y - origin_.y) * cells_per_metre_;
+    if (!(column >= 0.0 && row >= 0.0 && column < columns_ && row < rows_)) return -1.0F;
+    return values_[index(static_cast<int>(column), static_cast<int>(row))];
+  }
 
   /// Greatest amount in m by which a point of a cell can be farther from everything than the cell's value says, if it says no more than
   /// `sharp`.
@@ -53,6 +57,7 @@ class ClearanceField {
 
   Vec2 origin_{};
   double cell_ = 0.0;
+  double cells_per_metre_ = 0.0;
   int columns_ = 0;
   int rows_ = 0;
   int row_shift_ = 0;

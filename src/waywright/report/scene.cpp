@@ -80,7 +80,7 @@ class Scene {
                       : std::holds_alternative<Station>(problem_.scenario().mission) ? ", D docked"
                                                                                      : ", G goal";
     entries.push_back(
-        {"", Shape::none, fmt::format("S start{}{}", turns_ ? ", T change of direction" : "", end)});
+        {"", Shape::none, fmt::format("S start{}{}", !turns_ ? "" : !changes_ ? ", T turn on the spot" : spins_ ? ", T change of direction or turn on the spot" : ", T change of direction", end)});
     if (!plan_.samples.empty()) {
       const auto drives = [&](int direction) {
         return std::any_of(plan_.samples.begin(), plan_.samples.end(),
@@ -177,6 +177,7 @@ class Scene {
       if (!is_direction_change(plan_.samples[i - 1], plan_.samples[i])) continue;
       draw_vehicle(svg_, problem_.footprint(), plan_.samples[i].pose(), "T");
       turns_ = true;
+      (plan_.samples[i - 1].direction == 0 || plan_.samples[i].direction == 0 ? spins_ : changes_) = true;
     }
     for (const std::size_t i : steering_stops(plan_)) {
       svg_.square(plan_.samples[i].pose().position(), 8.0, "stop");
@@ -212,7 +213,7 @@ class Scene {
   const Plan& plan_;
   Canvas canvas_;
   SvgWriter svg_;
-  bool zones_ = false, others_ = false, numbered_ = false, turns_ = false, stops_ = false, blocked_ = false,
+  bool zones_ = false, others_ = false, numbered_ = false, turns_ = false, changes_ = false, spins_ = false, stops_ = false, blocked_ = false,
        tight_ = false, off_straight_ = false;
 };
 

@@ -11,15 +11,15 @@
 namespace waywright {
 namespace {
 
-constexpr std::size_t most_lines = 8000;  // in one picture
+constexpr std::size_t most_lines = 12'000;  // in one picture
 constexpr int frames = 48;
 constexpr double moving = 8.0, standing = 2.5;  // s, of what moves, and of the end
 
-using Line = SearchPicture::Line;
+using Stroke = SearchPicture::Line;
 
-std::string strokes(const SvgWriter& svg, const std::vector<Line>& lines) {
+std::string strokes(const SvgWriter& svg, const std::vector<Stroke>& lines) {
   std::string d;
-  for (const Line& line : lines) {
+  for (const Stroke& line : lines) {
     const Vec2 a = svg.view()(line.from), b = svg.view()(line.to);
     d += fmt::format("M{} {}L{} {}", fixed(a.x, 1), fixed(a.y, 1), fixed(b.x, 1), fixed(b.y, 1));
   }
@@ -57,8 +57,8 @@ std::string polyline(const SvgWriter& svg, const std::vector<Vec2>& points, cons
 }  // namespace
 
 void draw_search(SvgWriter& svg, const SearchPicture& search) {
-  std::vector<Line> left;
-  for (const Line& line : search.lines) {
+  std::vector<Stroke> left;
+  for (const Stroke& line : search.lines) {
     if (line.gone == SearchPicture::never && left.size() < most_lines) left.push_back(line);
   }
   if (!left.empty()) svg.raw(fmt::format("<path class=\"searchline\" d=\"{}\"/>\n", strokes(svg, left)));
@@ -69,7 +69,7 @@ void draw_search(SvgWriter& svg, const SearchPicture& search) {
 std::vector<LegendEntry> search_legend(const SearchPicture& search) {
   using Shape = LegendEntry::Shape;
   std::vector<LegendEntry> entries;
-  const auto left = static_cast<std::size_t>(std::count_if(search.lines.begin(), search.lines.end(), [](const Line& line) { return line.gone == SearchPicture::never; }));
+  const auto left = static_cast<std::size_t>(std::count_if(search.lines.begin(), search.lines.end(), [](const Stroke& line) { return line.gone == SearchPicture::never; }));
   if (left > 0) entries.push_back({"searchline", Shape::line, search.name + (left > most_lines ? fmt::format(", the first {} of {} lines", most_lines, left) : std::string{})});
   if (!search.swarms.empty()) entries.push_back({"searchagent", Shape::line, "agents where they ended"});
   return entries;
@@ -82,7 +82,7 @@ std::string search_svg(const Problem& problem, const Plan& plan, double width) {
   open_map(svg, canvas);
   draw_zone_areas(svg, problem.scenario().zones);
   draw_map(svg, problem.scenario(), canvas.region, false);
-  std::map<std::pair<int, int>, std::vector<Line>> together;
+  std::map<std::pair<int, int>, std::vector<Stroke>> together;
   for (std::size_t i = 0; i < std::min(search.lines.size(), 2 * most_lines); ++i) {
     const int born = frame_of(search.lines[i].born, search.steps), gone = frame_of(search.lines[i].gone, search.steps);
     if (born < gone) together[{born, gone}].push_back(search.lines[i]);
@@ -108,7 +108,7 @@ std::string search_svg(const Problem& problem, const Plan& plan, double width) {
   std::vector<LegendEntry> legend{{"searchline", LegendEntry::Shape::line, search.name}};
   if (!search.swarms.empty()) legend.push_back({"searchagent", LegendEntry::Shape::line, "agents of the whale optimisation algorithm"});
   if (!search.ways.empty()) legend.push_back({"fwd", LegendEntry::Shape::line, "best way so far"});
-  legend.push_back({"", LegendEntry::Shape::none, fmt::format("{} {}s in {:g} s, the first ones slower", search.steps, search.step, moving)});
+  legend.push_back({"", LegendEntry::Shape::none, fmt::format("the search in {:g} s, its beginning slower", moving)});
   const double whole = std::max(canvas.width, 480.0);
   const double end = draw_legend(svg, legend, whole, canvas.height + 40.0);
   return framed(svg.take(), whole, end + 14.0, problem.scenario().name + ": the search");

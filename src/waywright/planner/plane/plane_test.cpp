@@ -3,6 +3,7 @@
 #include "waywright/core/random.hpp"
 #include "waywright/planner/plane/plane_ends.hpp"
 #include "waywright/planner/plane/point_bins.hpp"
+#include "waywright/planner/plane/shadow.hpp"
 
 namespace waywright {
 namespace {
@@ -27,6 +28,7 @@ Problem hall(Random& random, double disc, int boxes, double clearance = 0.02) {
 TEST(PointBins, NearestAndWithinAsByLookingAtAll) {
   Random random{5};
   PointBins bins;
+  std::vector<PointBins::Near> near;
   for (const Box& region : {Box{{0, 0}, {10, 10}}, Box{{-3, 2}, {400, 2.5}}, Box{{0, 0}, {1e-12, 5}}}) {
     bins.clear(region);
     EXPECT_EQ(bins.nearest({0, 0}), PointBins::none);
@@ -45,10 +47,12 @@ TEST(PointBins, NearestAndWithinAsByLookingAtAll) {
       ASSERT_EQ(bins.nearest(at), expected) << i;
       const double radius = random.uniform(0.0, 0.3) * norm(size);
       std::vector<bool> seen(bins.size(), false);
-      bins.visit(at, radius, [&](std::uint32_t k, double) {
-        ASSERT_FALSE(seen[k]);
-        seen[k] = true;
-      });
+      bins.within(at, radius, near);
+      for (const PointBins::Near& n : near) {
+        ASSERT_FALSE(seen[n.index]);
+        ASSERT_EQ(n.squared, squared_norm(bins[n.index] - at));
+        seen[n.index] = true;
+      }
       for (std::uint32_t k = 0; k < bins.size(); ++k) ASSERT_EQ(seen[k], squared_norm(bins[k] - at) <= radius * radius);
     }
   }
@@ -86,6 +90,30 @@ TEST(PlaneSpace, TheFreeAreaIsNotUnderTheTruth) {
   const double area = size.x * size.y * free / drawn;
   EXPECT_GT(space.free_area(), 0.98 * area);
   EXPECT_LT(space.free_area(), 1.1 * area);
+}
+
+TEST(Shadow, WhatIsDarkIsNotSeenAndMostThatIsNotSeenIsDark) {
+  Random random{19};
+  int dark = 0, hidden = 0;
+  for (int map = 0; map < 6; ++map) {
+    const Problem problem = hall(random, 0.0, 12);
+    const PlaneSpace space{problem};
+    const Vec2 light{random.uniform(0.5, 11.5), random.uniform(0.5, 8.5)};
+    if (!space.is_free(light)) continue;
+    const Shadow shadow{space, light};
+    for (int i = 0; i < 20'000; ++i) {
+      const Vec2 at{random.uniform(-1, 13), random.uniform(-1, 10)};
+      const std::vector<Vec2> ring{light, at};
+      const bool is_hidden = problem.world().least_clearance(ring, 0.0, 1.0) == 0.0;
+      if (shadow.is_dark(at)) {
+        ASSERT_TRUE(is_hidden) << at.x << " " << at.y;
+        ++dark;
+      }
+      hidden += is_hidden ? 1 : 0;
+    }
+  }
+  EXPECT_GT(hidden, 20'000);
+  EXPECT_GT(dark, 0.95 * hidden);
 }
 
 TEST(PlaneEnds, ARunLeadsOutOfWhereTheDiscCannotStand) {

@@ -3,16 +3,16 @@
 namespace waywright {
 namespace {
 
-constexpr std::size_t first_bins = 64;
+constexpr std::size_t first_bins = 16;
 constexpr std::size_t growth = 4;
-constexpr std::size_t most_bins = 1U << 22U;
+constexpr std::size_t fullest = 12;  // points a bin on the average
+constexpr std::size_t most_bins = 1U << 20U;
 
 }  // namespace
 
 void PointBins::clear(const Box& region) {
   region_ = region;
   points_.clear();
-  next_.clear();
   arrange(first_bins);
 }
 
@@ -24,29 +24,44 @@ void PointBins::arrange(std::size_t bins) {
   columns_ = static_cast<int>(width * per_metre_) + 1;
   rows_ = static_cast<int>(height * per_metre_) + 1;
   first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), none);
-  for (std::size_t i = points_.size(); i-- > 0;) {  // those added first come first
-    std::uint32_t& first = first_[bin(column_of(points_[i].x), row_of(points_[i].y))];
-    next_[i] = first;
-    first = static_cast<std::uint32_t>(i);
+  pieces_.clear();
+  for (std::uint32_t i = 0; i < points_.size(); ++i) put(i);
+}
+
+void PointBins::put(std::uint32_t index) {
+  const Vec2 point = points_[index];
+  std::uint32_t& first = first_[bin(column_of(point.x), row_of(point.y))];
+  if (first == none || pieces_[first].count == wide) {
+    pieces_.emplace_back();
+    pieces_.back().next = first;
+    first = static_cast<std::uint32_t>(pieces_.size() - 1);
   }
+  Piece& piece = pieces_[first];
+  piece.x[piece.count] = point.x;
+  piece.y[piece.count] = point.y;
+  piece.index[piece.count++] = index;
 }
 
 std::uint32_t PointBins::add(Vec2 point) {
   const auto index = static_cast<std::uint32_t>(points_.size());
   points_.push_back(point);
-  std::uint32_t& first = first_[bin(column_of(point.x), row_of(point.y))];
-  next_.push_back(first);
-  first = index;
-  if (points_.size() > 2 * first_.size() && first_.size() < most_bins) arrange(growth * first_.size());
+  if (points_.size() > fullest * first_.size() && first_.size() < most_bins) {
+    arrange(growth * first_.size());
+  } else {
+    put(index);
+  }
   return index;
 }
 
 void PointBins::look(int column, int row, Vec2 to, double& best, std::uint32_t& found) const {
-  for (std::uint32_t i = first_[bin(column, row)]; i != none; i = next_[i]) {
-    const double d = squared_norm(points_[i] - to);
-    if (d < best || (d == best && i < found)) {
-      best = d;
-      found = i;
+  for (std::uint32_t p = first_[bin(column, row)]; p != none; p = pieces_[p].next) {
+    const Piece& piece = pieces_[p];
+    for (std::uint32_t k = 0; k < piece.count; ++k) {
+      const double dx = piece.x[k] - to.x, dy = piece.y[k] - to.y, d = dx * dx + dy * dy;
+      if (d < best || (d == best && piece.index[k] < found)) {
+        best = d;
+        found = piece.index[k];
+      }
     }
   }
 }

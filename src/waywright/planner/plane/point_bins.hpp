@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -11,7 +12,8 @@
 
 namespace waywright {
 
-/// Bins grow finer with the number of points, so that each has about one. One object, one thread. Points outside of the region are taken, too (in its outermost bins).
+/// Bins grow finer with the number of points, so that each has a few, and lie in pieces of eight, coordinates beside each other. One object, one thread. Points
+/// outside of the region are taken, too (in its outermost bins).
 class PointBins {
  public:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -22,27 +24,45 @@ class PointBins {
   std::uint32_t add(Vec2 point);
   std::size_t size() const { return points_.size(); }
   Vec2 operator[](std::uint32_t i) const { return points_[i]; }
-  const std::vector<Vec2>& points() const { return points_; }
 
   /// Of several the one added first. `none` where there is no point.
   std::uint32_t nearest(Vec2 to) const;
-  /// Calls seen(index, squared distance) for each within `radius`, in an order that depends on the points alone.
-  template <class Seen>
-  void visit(Vec2 at, double radius, Seen&& seen) const {
+  struct Near {
+    double squared;  ///< m², the distance's square
+    std::uint32_t index;
+  };
+  /// Those within `radius`, in an order that depends on the points alone.
+  void within(Vec2 at, double radius, std::vector<Near>& found) const {
     const double squared = radius * radius;
+    std::size_t count = 0;
     const int c0 = column_of(at.x - radius), c1 = column_of(at.x + radius), r0 = row_of(at.y - radius), r1 = row_of(at.y + radius);
     for (int row = r0; row <= r1; ++row) {
       for (int column = c0; column <= c1; ++column) {
-        for (std::uint32_t i = first_[bin(column, row)]; i != none; i = next_[i]) {
-          const double d = squared_norm(points_[i] - at);
-          if (d <= squared) seen(i, d);
+        for (std::uint32_t p = first_[bin(column, row)]; p != none; p = pieces_[p].next) {
+          const Piece& piece = pieces_[p];
+          if (found.size() < count + wide) found.resize(2 * (count + wide));
+          Near* const out = found.data();
+          for (std::uint32_t k = 0; k < piece.count; ++k) {  // each is written, and stays where it is near: no branch to guess
+            const double dx = piece.x[k] - at.x, dy = piece.y[k] - at.y, d = dx * dx + dy * dy;
+            out[count] = {d, piece.index[k]};
+            count += d <= squared ? 1 : 0;
+          }
         }
       }
     }
+    found.resize(count);
   }
 
  private:
+  static constexpr std::size_t wide = 8;
+  struct Piece {
+    std::array<double, wide> x, y;
+    std::array<std::uint32_t, wide> index;
+    std::uint32_t count = 0;
+    std::uint32_t next = none;
+  };
   void arrange(std::size_t bins);
+  void put(std::uint32_t index);
   int column_of(double x) const { return static_cast<int>(std::clamp((x - region_.low.x) * per_metre_, 0.0, columns_ - 1.0)); }
   int row_of(double y) const { return static_cast<int>(std::clamp((y - region_.low.y) * per_metre_, 0.0, rows_ - 1.0)); }
   std::size_t bin(int column, int row) const { return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column); }
@@ -52,8 +72,8 @@ class PointBins {
   double side_ = 1.0, per_metre_ = 1.0;
   int columns_ = 1, rows_ = 1;
   std::vector<Vec2> points_;
-  std::vector<std::uint32_t> next_;
-  std::vector<std::uint32_t> first_;
+  std::vector<Piece> pieces_;
+  std::vector<std::uint32_t> first_;  ///< piece of each bin: the one that is being filled
 };
 
 }  // namespace waywright

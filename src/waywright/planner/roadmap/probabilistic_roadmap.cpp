@@ -156,6 +156,7 @@ bool ProbabilisticRoadmap::draw(std::uint64_t seed, Budget& budget) {
       if (k == tries_a_sample) return true;  // hardly anything is free: there is no more to draw
       const Vec2 at{random.uniform(region.low.x, region.high.x), random.uniform(region.low.y, region.high.y)};
       if (!space_.is_free(at)) continue;
+      places_.push_back(at);
       bins_.add(at);
       break;
     }
@@ -165,26 +166,21 @@ bool ProbabilisticRoadmap::draw(std::uint64_t seed, Budget& budget) {
 
 /// As many nearest as asked for, of a few equally far ones those drawn first.
 std::vector<std::uint32_t> ProbabilisticRoadmap::nearest(Vec2 at, std::size_t count) const {
-  struct Near {
-    double squared;
-    std::uint32_t place;
-    bool operator<(const Near& o) const { return squared != o.squared ? squared < o.squared : place < o.place; }
-  };
   count = std::min(count, bins_.size());
-  std::vector<Near> found;
+  std::vector<PointBins::Near> found;
   if (count == 0) return {};
   const Vec2 size = space_.region().high - space_.region().low;
   double radius = std::sqrt(2.0 * static_cast<double>(count) * size.x * size.y / (std::numbers::pi * static_cast<double>(bins_.size())));
   // Farther than across the region there is none.
   for (const double across = distance(at, bins_[bins_.nearest(at)]) + norm(size); found.size() < count; radius *= 2.0) {
-    found.clear();
-    bins_.visit(at, radius, [&](std::uint32_t i, double squared) { found.push_back({squared, i}); });
+    bins_.within(at, radius, found);
     if (radius > across) break;
   }
   count = std::min(count, found.size());
-  std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end());
+  std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end(),
+                    [](const PointBins::Near& a, const PointBins::Near& b) { return a.squared != b.squared ? a.squared < b.squared : a.index < b.index; });
   std::vector<std::uint32_t> all;
-  for (std::size_t i = 0; i < count; ++i) all.push_back(found[i].place);
+  for (std::size_t i = 0; i < count; ++i) all.push_back(found[i].index);
   return all;
 }
 
@@ -226,20 +222,26 @@ bool ProbabilisticRoadmap::join_nearest(Budget& budget) {
   return true;
 }
 
+std::vector<std::uint32_t> ProbabilisticRoadmap::within_radius(Vec2 at, std::uint32_t without) const {
+  std::vector<PointBins::Near> found;
+  bins_.within(at, radius_, found);
+  std::vector<std::uint32_t> all;
+  all.reserve(found.size());
+  for (const PointBins::Near& near : found) {
+    if (near.index != without) all.push_back(near.index);
+  }
+  return all;
+}
+
 std::vector<std::uint32_t> ProbabilisticRoadmap::neighbours_of(std::uint32_t i) const {
   if (options_.neighbours > 0) return {joined_.begin() + first_[i], joined_.begin() + first_[i + 1]};
-  std::vector<std::uint32_t> all;
-  bins_.visit(bins_[i], radius_, [&](std::uint32_t k, double) {
-    if (k != i) all.push_back(k);
-  });
-  return all;
+  return within_radius(places_[i], i);
 }
 
 std::vector<std::uint32_t> ProbabilisticRoadmap::near(Vec2 at) const {
   if (options_.neighbours > 0) return nearest(at, static_cast<std::size_t>(options_.neighbours));
-  std::vector<std::uint32_t> all;
-  bins_.visit(at, radius_, [&](std::uint32_t i, double) { all.push_back(i); });
-  if (all.empty() && bins_.size() > 0) all.push_back(bins_.nearest(at));
+  std::vector<std::uint32_t> all = within_radius(at, PointBins::none);
+  if (all.empty() && !places_.empty()) all.push_back(bins_.nearest(at));
   return all;
 }
 

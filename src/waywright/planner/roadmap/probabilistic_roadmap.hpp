@@ -46,8 +46,8 @@ class ProbabilisticRoadmap {
   ProbabilisticRoadmap(const PlaneSpace& space, const RoadmapOptions& options, std::uint64_t seed, Budget& budget);
 
   const RoadmapOptions& options() const { return options_; }
-  std::size_t size() const { return bins_.size(); }
-  const std::vector<Vec2>& places() const { return bins_.points(); }
+  std::size_t size() const { return places_.size(); }
+  const std::vector<Vec2>& places() const { return places_; }
   double radius() const { return radius_; }  ///< m, within which places are neighbours; 0 where so many nearest ones are
   bool is_whole() const { return is_whole_; }  ///< all samples were drawn
 
@@ -64,10 +64,12 @@ class ProbabilisticRoadmap {
   bool draw(std::uint64_t seed, Budget& budget);
   bool join_nearest(Budget& budget);
   std::vector<std::uint32_t> nearest(Vec2 at, std::size_t count) const;
+  std::vector<std::uint32_t> within_radius(Vec2 at, std::uint32_t without) const;
 
   const PlaneSpace& space_;
   RoadmapOptions options_;
-  PointBins bins_;
+  std::vector<Vec2> places_;
+  PointBins bins_;  // of them
   double radius_ = 0.0;
   bool is_whole_ = false;
   std::vector<std::uint32_t> first_, joined_;  // of each place its neighbours, where so many nearest ones are; both ways

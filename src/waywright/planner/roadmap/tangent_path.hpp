@@ -7,11 +7,10 @@
 
 namespace waywright {
 
-/// Arcs of `radius` are driven where the vehicle can; where it cannot, or where they are tiny, it drives along their chords and turns on the spot at their ends.
-/// `margin`: what the chords may use, as of the graph.
+/// Arcs of `radius` are driven where the vehicle can; where it cannot, or where they are tiny, it turns on the spot at corners around them.
 bool drives_arcs(const Vehicle& vehicle, double radius);
-/// Where chords begin and end, with start and goal.
-std::vector<Vec2> chords_of(const TangentWay& way, double radius, double margin);
+/// The corners, with start and goal: of each arc as few as leave no more than 60° to each and are free (15 % farther out at most); of one beside which nothing is, its chords.
+std::vector<Vec2> corners_around(const PlaneSpace& space, const TangentWay& way, const TangentGraph& graph);
 Path tangent_path(const PlaneSpace& space, const PlaneEnd& start, const TangentWay& way, const TangentGraph& graph, const PlaneEnd& goal);
 
 }  // namespace waywright

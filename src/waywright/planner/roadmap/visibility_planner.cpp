@@ -95,7 +95,7 @@ class VisibilityPlanner::Ready {
     if (way.bends.empty()) return fmt::format("Nothing stands on the straight line; {}.", turns);
     const bool arcs = drives_arcs(space_.problem().vehicle(), graph_->radius());
     return fmt::format("It bends around {}, {}; {}.", grid::counted(static_cast<std::int64_t>(way.bends.size()), "corner"),
-                       arcs ? fmt::format("each on an arc of {:.3f} m", graph_->radius()) : std::string{"each along the chords of an arc that is too tight to drive"}, turns);
+                       arcs ? fmt::format("each on an arc of {:.3f} m", graph_->radius()) : std::string{"each by corners around an arc that is too tight to drive"}, turns);
   }
 
   PlaneSpace space_;

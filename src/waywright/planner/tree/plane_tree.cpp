@@ -76,7 +76,7 @@ void PlaneTree::attach(std::uint32_t node, std::uint32_t parent, double edge) {
   Node& p = nodes_[parent];
   n.parent = parent;
   n.edge = edge;
-  n.cost = p.cost + edge;
+  costs_[node] = costs_[parent] + edge;
   n.before = none;
   n.after = p.child;
   if (p.child != none) nodes_[p.child].before = node;
@@ -102,7 +102,7 @@ void PlaneTree::pass_on(std::uint32_t node) {
     const std::uint32_t at = waiting_.back();
     waiting_.pop_back();
     for (std::uint32_t c = nodes_[at].child; c != none; c = nodes_[c].after) {
-      nodes_[c].cost = nodes_[at].cost + nodes_[c].edge;
+      costs_[c] = costs_[at] + nodes_[c].edge;
       waiting_.push_back(c);
     }
   }
@@ -120,7 +120,7 @@ void PlaneTree::choose_best() {
   if (!is_changed_) return;
   is_changed_ = false;
   for (std::size_t i = 0; i < goal_edges_.size(); ++i) {
-    const double metres = nodes_[goal_edges_[i].node].cost + goal_edges_[i].length;
+    const double metres = costs_[goal_edges_[i].node] + goal_edges_[i].length;
     if (metres < best_length_ || best_ == static_cast<std::uint32_t>(i)) {
       best_length_ = metres;
       best_ = static_cast<std::uint32_t>(i);
@@ -138,20 +138,18 @@ void PlaneTree::insert(Vec2 at, std::uint32_t near) {
   if (!options_.rewires) {
     const std::uint32_t node = bins_.add(at);
     nodes_.emplace_back();
+    costs_.push_back(0.0);
     hang(node, near, to_near);
     look_for_goal(node);
     return;
   }
+  const double by_near = costs_[near] + to_near;
+  bins_.within(at, radius(), near_);
   neighbours_.clear();
-  bool has_near = false;
-  const double r = radius();
-  bins_.visit(at, r, [&](std::uint32_t i, double squared) {
-    const double length = std::sqrt(squared);
-    neighbours_.push_back({nodes_[i].cost + length, length, i});
-    has_near = has_near || i == near;
-  });
-  if (!has_near) neighbours_.push_back({nodes_[near].cost + to_near, to_near, near});
-  const double by_near = nodes_[near].cost + to_near;
+  for (const PointBins::Near& n : near_) {
+    const double length = std::sqrt(n.squared);
+    neighbours_.push_back({costs_[n.index] + length, length, n.index});
+  }
   // The cheapest first that is free; nothing dearer than the way by `near`, which is.
   std::uint32_t parent = near;
   double edge = to_near;
@@ -171,10 +169,11 @@ void PlaneTree::insert(Vec2 at, std::uint32_t near) {
   }
   const std::uint32_t node = bins_.add(at);
   nodes_.emplace_back();
+  costs_.push_back(0.0);
   hang(node, parent, edge);
-  const double cost = nodes_[node].cost;
+  const double cost = costs_[node];
   for (const Neighbour& n : neighbours_) {
-    if (!(cost + n.length < nodes_[n.node].cost) || n.node == parent || !is_edge_free(at, bins_[n.node])) continue;
+    if (!(cost + n.length < costs_[n.node]) || n.node == parent || !is_edge_free(at, bins_[n.node])) continue;
     detach(n.node);
     hang(n.node, node, n.length);
     pass_on(n.node);
@@ -193,6 +192,7 @@ void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, V
   gamma_ = 1.0001 * 2.0 * std::sqrt(1.5) * std::sqrt(space.free_area() / std::numbers::pi);
   bins_.clear(space.region());
   nodes_.clear();
+  costs_.clear();
   goal_edges_.clear();
   best_ = none;
   best_length_ = std::numeric_limits<double>::infinity();
@@ -203,6 +203,7 @@ void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, V
   Random random = Random::stream(seed, 0);
   bins_.add(start);
   nodes_.emplace_back();
+  costs_.push_back(0.0);
   look_for_goal(0);
   choose_best();
   if (is_found()) {
@@ -235,7 +236,6 @@ void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, V
 SearchPicture PlaneTree::picture() const {
   SearchPicture picture;
   picture.name = options_.rewires ? "tree of RRT*" : "tree of RRT";
-  picture.step = "sample";
   picture.steps = static_cast<std::uint32_t>(statistics_.samples);
   std::vector<std::uint32_t> last(nodes_.size(), none);  // line of a node
   picture.lines.reserve(hung_.size());

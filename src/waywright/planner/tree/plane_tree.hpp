@@ -64,7 +64,7 @@ class PlaneTree {
   std::size_t size() const { return bins_.size(); }
   Vec2 place(std::uint32_t node) const { return bins_[node]; }
   std::uint32_t parent(std::uint32_t node) const { return nodes_[node].parent; }
-  double cost(std::uint32_t node) const { return nodes_[node].cost; }
+  double cost(std::uint32_t node) const { return costs_[node]; }
   std::uint32_t nearest(Vec2 to) const { return bins_.nearest(to); }
 
   /// How it grew: every edge with the samples between which it was there, and the best ways.
@@ -72,7 +72,6 @@ class PlaneTree {
 
  private:
   struct Node {
-    double cost = 0.0;  // m from the start
     double edge = 0.0;  // m from the parent
     std::uint32_t parent = none;
     std::uint32_t child = none, before = none, after = none;  // first child; siblings
@@ -108,7 +107,9 @@ class PlaneTree {
   double gamma_ = 0.0;  // m, of the proven radius
   PointBins bins_;
   std::vector<Node> nodes_;
+  std::vector<double> costs_;  // m from the start
   std::vector<GoalEdge> goal_edges_;
+  std::vector<PointBins::Near> near_;
   std::vector<Neighbour> neighbours_;
   std::vector<std::uint32_t> waiting_;
   std::vector<Hung> hung_;                   // in order

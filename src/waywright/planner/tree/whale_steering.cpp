@@ -28,6 +28,14 @@ void WhaleSteering::look(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal, Best& best) 
   ++evaluations_;
   double sum = per_radius_ * distance(x, sample) + per_diagonal_ * distance(x, goal);
   if (!(sum < best.cost)) return;
+  // Where a place that does not see the goal can be no better, that is asked first: most do not.
+  const bool must_see = !(sum + options_.view_weight < best.cost);
+  const auto sees_goal = [&] {
+    if (shadow_.light() == goal && shadow_.is_dark(x)) return false;
+    ++lines_;
+    return space_.is_free(x, goal);
+  };
+  if (must_see && !sees_goal()) return;
   ++lines_;
   if (!space_.is_free(near, x)) {
     sum += options_.near_weight;
@@ -35,8 +43,7 @@ void WhaleSteering::look(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal, Best& best) 
     if (!space_.is_free(x)) sum += blocked_weight;
     if (!(sum < best.cost)) return;
   }
-  ++lines_;
-  if (!space_.is_free(x, goal)) sum += options_.view_weight;
+  if (!must_see && !sees_goal()) sum += options_.view_weight;
   if (sum < best.cost) best = {x, sum};
 }
 
@@ -47,6 +54,9 @@ Vec2 WhaleSteering::into_disc(Vec2 x, Vec2 middle) const {
 }
 
 Vec2 WhaleSteering::aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
+  if (has_goal_ && last_goal_ == goal && !(shadow_.light() == goal && shadow_.is_ready())) shadow_ = Shadow{space_, goal};
+  has_goal_ = true;
+  last_goal_ = goal;
   Best best{sample, std::numeric_limits<double>::infinity()};
   agents_.clear();
   for (int i = 0; i < options_.population; ++i) {

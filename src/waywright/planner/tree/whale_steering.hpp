@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "waywright/optimizer/whale_step.hpp"
+#include "waywright/planner/plane/shadow.hpp"
 #include "waywright/planner/tree/plane_tree.hpp"
 
 namespace waywright {
@@ -41,6 +42,9 @@ class WhaleSteering final : public Steering {
   const PlaneSpace& space_;
   WhaleSteeringOptions options_;
   double per_radius_, per_diagonal_;
+  Shadow shadow_;  // of the goal, where it stays the same from one extension to the next
+  Vec2 last_goal_{};
+  bool has_goal_ = false;
   std::vector<Vec2> agents_;
   std::int64_t evaluations_ = 0, lines_ = 0;
 };
