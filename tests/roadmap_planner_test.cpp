@@ -1,12 +1,16 @@
 // Roadmap planners on whole scenarios: proven, no shorter than the bound, the same however they were prepared, refused with a sentence where they must be.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <map>
+#include <thread>
 
 #include "tests/grid_scenarios.hpp"
 #include "waywright/geometry/polygon.hpp"
 #include "waywright/judge/judge.hpp"
-#include "waywright/planner/plane/plane_ends.hpp"
+#include "waywright/planner/plane/plane_space.hpp"
+#include "waywright/planner/registry.hpp"
 #include "waywright/planner/roadmap/least_length.hpp"
 #include "waywright/planner/roadmap/prm_planner.hpp"
 #include "waywright/planner/roadmap/voronoi_planner.hpp"
@@ -126,6 +130,28 @@ TEST(RoadmapPlanners, LessWorkIsDoneWhereLessIsAllowed) {
   s.budget.samples.reset();
   s.budget.evaluations = 3;
   EXPECT_LE(planned(s, "prm").effort.evaluations, 3);
+}
+
+TEST(RoadmapPlanners, AFlagEndsARoadmapThatGrows) {
+  Random random{12};
+  Scenario s = hall(random, test::disc, 0.02, 8);
+  s.planner = {"prm", {{"samples", 100'000.0}, {"neighbours", 100.0}}};  // many seconds
+  const Problem problem = Problem::prepare(s).value();
+  std::atomic<bool> cancel{false};
+  std::chrono::steady_clock::time_point raised;
+  std::thread other{[&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds{100});
+    raised = std::chrono::steady_clock::now();
+    cancel = true;
+  }};
+  const Plan plan = *solve(problem, &cancel);
+  other.join();
+  EXPECT_EQ(plan.status, Status::canceled);
+  EXPECT_LT(std::chrono::steady_clock::now() - raised, std::chrono::seconds{1});
+  s.budget.seconds = 0.05;
+  const Plan late = planned(s, "prm", s.planner.parameters);
+  EXPECT_EQ(late.status, Status::timed_out);
+  EXPECT_FALSE(late.reproducible);
 }
 
 TEST(RoadmapPlanners, MoreClearanceForItsWeightAndNoneLeftWhenPulledTaut) {

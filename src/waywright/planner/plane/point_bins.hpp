@@ -24,6 +24,7 @@ class PointBins {
   std::uint32_t add(Vec2 point);
   std::size_t size() const { return points_.size(); }
   Vec2 operator[](std::uint32_t i) const { return points_[i]; }
+  const std::vector<Vec2>& points() const { return points_; }
 
   /// Of several the one added first. `none` where there is no point.
   std::uint32_t nearest(Vec2 to) const;

@@ -28,6 +28,16 @@ std::vector<Pose> picture_of(const std::vector<Vec2>& points) {
   return poses;
 }
 
+SearchPicture picture_of(const RoadmapAnswer& answer) {
+  SearchPicture picture;
+  picture.name = "lines of the roadmap that the search took";
+  picture.step = "line tested";
+  picture.steps = static_cast<std::uint32_t>(std::min<std::int64_t>(answer.lines, SearchPicture::never - 1));
+  picture.lines = answer.taken;
+  if (answer.ended == RoadmapEnd::found) picture.ways = {{answer.way, picture.steps}};
+  return picture;
+}
+
 RoadmapOptions limited(RoadmapOptions options, const BudgetLimits& limits) {
   options.samples = std::min(limits.samples.value_or(options.samples), ProbabilisticRoadmap::most_samples);
   return options;
@@ -110,6 +120,7 @@ class PrmPlanner::Ready {
     tried.outcome = fmt::format("{:.2f} m short of the goal.", distance(reached, target.nearest(reached)));
     tried.poses = picture_of(answer.way);
     failed.alternatives.push_back(std::move(tried));
+    failed.search = picture_of(answer);
     failed.explanation.push_back(reason + ".");
     return failed;
   }
@@ -118,6 +129,7 @@ class PrmPlanner::Ready {
     Planned planned;
     std::vector<std::string>& text = planned.explanation;
     std::vector<Vec2> points = answer.way;
+    planned.search = picture_of(answer);
     const auto tried = [&](std::string name, const std::vector<Vec2>& way, bool is_chosen) {
       Alternative alternative;
       alternative.name = std::move(name);
@@ -186,6 +198,7 @@ PlannerDescription prm_description() {
                        }};
   d.counts_samples = [](const Parameters&) { return true; };
   d.takes_free_goals = true;
+  d.turns_on_the_spot = true;
   return d;
 }
 

@@ -42,8 +42,6 @@ class LazySearch {
 
   RoadmapAnswer run() {
     const std::vector<std::uint32_t> from_start = roadmap_.near(start_), to_goal = roadmap_.near(goal_);
-    answer_.start_links = static_cast<std::int64_t>(from_start.size());
-    answer_.goal_links = static_cast<std::int64_t>(to_goal.size());
     is_before_goal_.assign(count_, false);
     for (const std::uint32_t i : to_goal) is_before_goal_[i] = true;
     parents_.assign(count_ + 2, none);
@@ -111,6 +109,7 @@ class LazySearch {
         if (!space_.is_free(from, to)) continue;
       }
       settle(next.node, next.parent, next.cost);
+      answer_.taken.push_back({from, to, static_cast<std::uint32_t>(std::min<std::int64_t>(answer_.lines, SearchPicture::never - 1))});
       if (next.node == goal()) return RoadmapEnd::found;
       if (waiting_.size() > ProbabilisticRoadmap::most_waiting) return RoadmapEnd::crowded;
       if (is_before_goal_[next.node]) offer(next.node, goal());
@@ -157,6 +156,7 @@ bool ProbabilisticRoadmap::draw(std::uint64_t seed, Budget& budget) {
       if (k == tries_a_sample) return true;  // hardly anything is free: there is no more to draw
       const Vec2 at{random.uniform(region.low.x, region.high.x), random.uniform(region.low.y, region.high.y)};
       if (!space_.is_free(at)) continue;
+      places_.push_back(at);
       bins_.add(at);
       break;
     }
@@ -166,69 +166,82 @@ bool ProbabilisticRoadmap::draw(std::uint64_t seed, Budget& budget) {
 
 /// As many nearest as asked for, of a few equally far ones those drawn first.
 std::vector<std::uint32_t> ProbabilisticRoadmap::nearest(Vec2 at, std::size_t count) const {
-  struct Near {
-    double squared;
-    std::uint32_t place;
-    bool operator<(const Near& o) const { return squared != o.squared ? squared < o.squared : place < o.place; }
-  };
   count = std::min(count, bins_.size());
-  std::vector<Near> found;
+  std::vector<PointBins::Near> found;
   if (count == 0) return {};
   const Vec2 size = space_.region().high - space_.region().low;
   double radius = std::sqrt(2.0 * static_cast<double>(count) * size.x * size.y / (std::numbers::pi * static_cast<double>(bins_.size())));
   // Farther than across the region there is none.
   for (const double across = distance(at, bins_[bins_.nearest(at)]) + norm(size); found.size() < count; radius *= 2.0) {
-    found.clear();
-    bins_.visit(at, radius, [&](std::uint32_t i, double squared) { found.push_back({squared, i}); });
+    bins_.within(at, radius, found);
     if (radius > across) break;
   }
   count = std::min(count, found.size());
-  std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end());
+  std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end(),
+                    [](const PointBins::Near& a, const PointBins::Near& b) { return a.squared != b.squared ? a.squared < b.squared : a.index < b.index; });
   std::vector<std::uint32_t> all;
-  for (std::size_t i = 0; i < count; ++i) all.push_back(found[i].place);
+  for (std::size_t i = 0; i < count; ++i) all.push_back(found[i].index);
   return all;
 }
 
 bool ProbabilisticRoadmap::join_nearest(Budget& budget) {
   const auto n = static_cast<std::uint32_t>(bins_.size());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  bool is_whole = true;
+  std::vector<std::uint32_t> begin(n + 1, 0);
+  first_.assign(n + 1, 0);
   for (std::uint32_t i = 0; i < n; ++i) {
-    if (i % clock_every == 0 && budget.exhausted()) {
-      is_whole = false;
-      break;
-    }
+    if (i % clock_every == 0 && budget.exhausted()) return false;
     for (const std::uint32_t k : nearest(bins_[i], static_cast<std::size_t>(options_.neighbours) + 1)) {
       if (k == i) continue;
       pairs.emplace_back(i, k);
-      pairs.emplace_back(k, i);
+      ++begin[i + 1];
+      ++begin[k + 1];
     }
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  first_.assign(n + 1, 0);
+  for (std::uint32_t i = 0; i < n; ++i) begin[i + 1] += begin[i];
+  joined_.resize(2 * pairs.size());
+  std::vector<std::uint32_t> fill(begin.begin(), begin.end() - 1);
   for (const auto& [i, k] : pairs) {
-    ++first_[i + 1];
-    joined_.push_back(k);
+    joined_[fill[i]++] = k;
+    joined_[fill[k]++] = i;
   }
-  for (std::uint32_t i = 0; i < n; ++i) first_[i + 1] += first_[i];
-  return is_whole;
+  // Those that are each other's are there twice.
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if (i % clock_every == 0 && budget.exhausted()) {
+      first_.assign(n + 1, 0);
+      return false;
+    }
+    const auto from = joined_.begin() + begin[i], to = joined_.begin() + begin[i + 1];
+    std::sort(from, to);
+    first_[i] = kept;
+    kept += static_cast<std::uint32_t>(std::copy(from, std::unique(from, to), joined_.begin() + kept) - (joined_.begin() + kept));
+  }
+  first_[n] = kept;
+  joined_.resize(kept);
+  return true;
+}
+
+std::vector<std::uint32_t> ProbabilisticRoadmap::within_radius(Vec2 at, std::uint32_t without) const {
+  std::vector<PointBins::Near> found;
+  bins_.within(at, radius_, found);
+  std::vector<std::uint32_t> all;
+  all.reserve(found.size());
+  for (const PointBins::Near& near : found) {
+    if (near.index != without) all.push_back(near.index);
+  }
+  return all;
 }
 
 std::vector<std::uint32_t> ProbabilisticRoadmap::neighbours_of(std::uint32_t i) const {
   if (options_.neighbours > 0) return {joined_.begin() + first_[i], joined_.begin() + first_[i + 1]};
-  std::vector<std::uint32_t> all;
-  bins_.visit(bins_[i], radius_, [&](std::uint32_t k, double) {
-    if (k != i) all.push_back(k);
-  });
-  return all;
+  return within_radius(places_[i], i);
 }
 
 std::vector<std::uint32_t> ProbabilisticRoadmap::near(Vec2 at) const {
   if (options_.neighbours > 0) return nearest(at, static_cast<std::size_t>(options_.neighbours));
-  std::vector<std::uint32_t> all;
-  bins_.visit(at, radius_, [&](std::uint32_t i, double) { all.push_back(i); });
-  if (all.empty() && bins_.size() > 0) all.push_back(bins_.nearest(at));
+  std::vector<std::uint32_t> all = within_radius(at, PointBins::none);
+  if (all.empty() && !places_.empty()) all.push_back(bins_.nearest(at));
   return all;
 }
 

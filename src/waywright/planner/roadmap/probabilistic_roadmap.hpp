@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "waywright/core/budget.hpp"
+#include "waywright/judge/search_picture.hpp"
 #include "waywright/planner/plane/plane_space.hpp"
 #include "waywright/planner/plane/plane_target.hpp"
 #include "waywright/planner/plane/point_bins.hpp"
@@ -29,7 +30,7 @@ struct RoadmapAnswer {
   double length = 0.0;          ///< m
   std::int64_t lines = 0;       ///< whose freedom was asked for
   std::int64_t reached = 0;     ///< places, the start among them
-  std::int64_t start_links = 0, goal_links = 0;  ///< places near enough to be joined to the ends
+  std::vector<SearchPicture::Line> taken;  ///< lines by which places were reached first, each with how many were tested by then
 };
 
 /// Immutable once grown; queries may run on many threads. The space outlives it.
@@ -45,8 +46,8 @@ class ProbabilisticRoadmap {
   ProbabilisticRoadmap(const PlaneSpace& space, const RoadmapOptions& options, std::uint64_t seed, Budget& budget);
 
   const RoadmapOptions& options() const { return options_; }
-  std::size_t size() const { return bins_.size(); }
-  const std::vector<Vec2>& places() const { return bins_.points(); }
+  std::size_t size() const { return places_.size(); }
+  const std::vector<Vec2>& places() const { return places_; }
   double radius() const { return radius_; }  ///< m, within which places are neighbours; 0 where so many nearest ones are
   bool is_whole() const { return is_whole_; }  ///< all samples were drawn
 
@@ -63,10 +64,12 @@ class ProbabilisticRoadmap {
   bool draw(std::uint64_t seed, Budget& budget);
   bool join_nearest(Budget& budget);
   std::vector<std::uint32_t> nearest(Vec2 at, std::size_t count) const;
+  std::vector<std::uint32_t> within_radius(Vec2 at, std::uint32_t without) const;
 
   const PlaneSpace& space_;
   RoadmapOptions options_;
-  PointBins bins_;
+  std::vector<Vec2> places_;
+  PointBins bins_;  // of them
   double radius_ = 0.0;
   bool is_whole_ = false;
   std::vector<std::uint32_t> first_, joined_;  // of each place its neighbours, where so many nearest ones are; both ways

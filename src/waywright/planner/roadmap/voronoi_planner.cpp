@@ -142,6 +142,14 @@ class VoronoiPlanner::Ready {
 
   std::string what() const { return space_.problem().footprint().is_disc() ? "a disc" : "the disc around the footprint,"; }
 
+  SearchPicture picture() const {
+    SearchPicture picture;
+    picture.name = "Voronoi diagram where the disc fits";
+    picture.step = "expansion";
+    for (const auto& [from, to] : map_->line_list()) picture.lines.push_back({from, to});
+    return picture;
+  }
+
   PlanningFailure nothing_found(const VoronoiAnswer& answer, Budget& budget) const {
     const std::string cause = answer.ended == VoronoiEnd::unreachable ? fmt::format("all that is joined to the start was searched, {}", counted(answer.expansions, "expansion"))
                                                                       : fmt::format("no line of it that {} fits on is seen from the {}", space_.problem().footprint().is_disc() ? "it" : "that disc",
@@ -150,7 +158,9 @@ class VoronoiPlanner::Ready {
                                      space_.problem().required_clearance(), cause);
     if (const std::string more = unreachable_sentence(least_length(space_, budget), space_.problem()); !more.empty()) reason += "; " + more;
     if (budget.exhausted()) return stopped(budget, answer.expansions);
-    return grid::failure(Status::no_path, std::move(reason));
+    PlanningFailure failed = grid::failure(Status::no_path, std::move(reason));
+    failed.search = picture();
+    return failed;
   }
 
   std::string kept_sentence(const VoronoiAnswer& answer) const {
@@ -177,6 +187,7 @@ class VoronoiPlanner::Ready {
     const std::vector<VoronoiStep> way = tidied(answer.way, space_);
     const std::vector<Vec2> along = chords_of(way);
     std::vector<Vec2> points = along;
+    planned.search = picture();
     const std::string aim = options.clearance_weight > 0.0 ? fmt::format("The way of least cost (a metre with a clearance of c metres costs 1 + {:g}/c)", options.clearance_weight)
                                                            : std::string{"The shortest way"};
     text.push_back(fmt::format("{} along the Voronoi diagram of the map{}, as far from what is on either side as can be, for {} of {:.3f} m: {:.3f} m; {} in {} of the diagram.", aim,
@@ -235,6 +246,7 @@ PlannerDescription voronoi_description() {
                        [](const Parameters& p, std::uint64_t) -> AnyPlanner { return VoronoiPlanner{{number_of(p, "clearance_weight"), flag_of(p, "shorten")}}; }};
   d.counts_expansions = true;
   d.takes_free_goals = true;
+  d.turns_on_the_spot = true;
   return d;
 }
 

@@ -105,6 +105,16 @@ void VoronoiRoadmap::lay_out() {
   for (const auto& [from, link] : links) links_[fill[from]++] = link;
 }
 
+std::vector<std::pair<Vec2, Vec2>> VoronoiRoadmap::line_list() const {
+  std::vector<std::pair<Vec2, Vec2>> all;
+  for (std::uint32_t i = 0; i < places_.size(); ++i) {
+    for (std::uint32_t k = first_[i]; k < first_[i + 1]; ++k) {
+      if (i < links_[k].to) all.emplace_back(places_[i].at, places_[links_[k].to].at);
+    }
+  }
+  return all;
+}
+
 /// Straight away from the nearest site, as far as that stays the nearest: there the diagram is.
 Vec2 VoronoiRoadmap::away_from_nearest(Vec2 from) const {
   const std::array<Vec2, 1> point{from};

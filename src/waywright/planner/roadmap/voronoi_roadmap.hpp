@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "waywright/core/budget.hpp"
@@ -51,6 +52,7 @@ class VoronoiRoadmap {
   bool has_frame() const { return has_frame_; }
   std::size_t places() const { return places_.size(); }
   std::size_t lines() const { return links_.size() / 2; }  ///< along the diagram, that the disc fits on
+  std::vector<std::pair<Vec2, Vec2>> line_list() const;     ///< their ends, for pictures
   double clearance(Vec2 at) const;                          ///< m, to the nearest site
 
   /// A* by ∫ (1 + weight/clearance) ds, clearance the distance in m from the disc's middle to the nearest site, weight in m. @pre the start is free, of a goal that is a point
