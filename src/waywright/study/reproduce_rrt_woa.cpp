@@ -80,7 +80,7 @@ class Trial {
   }
 
  private:
-  Outcome grown(Steering* steering) {
+  Outcome grown(TreeSteering* steering) {
     Budget budget;
     const Clock clock;
     tree_.grow(space_, tree_options, start_, goal_, seed_, budget, no_limit, steering);

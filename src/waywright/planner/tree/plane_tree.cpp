@@ -184,7 +184,7 @@ void PlaneTree::insert(Vec2 at, std::uint32_t near) {
 }
 
 void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, Vec2 start, const PlaneTarget& goal, std::uint64_t seed, Budget& budget, std::int64_t edges,
-                     Steering* steering) {
+                     TreeSteering* steering) {
   space_ = &space;
   options_ = options;
   goal_ = goal;

@@ -30,9 +30,9 @@ struct PlaneTreeOptions {
 };
 
 /// Where an extension goes that grows from `near` towards the sample; the tree clips it to its step. The default goes to the sample.
-class Steering {
+class TreeSteering {
  public:
-  virtual ~Steering() = default;
+  virtual ~TreeSteering() = default;
   virtual Vec2 aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) = 0;
 };
 
@@ -54,7 +54,7 @@ class PlaneTree {
 
   /// The space outlives the search. @pre the start is free. `edges`: at most so many lines are tested; then it ends.
   void grow(const PlaneSpace& space, const PlaneTreeOptions& options, Vec2 start, const PlaneTarget& goal, std::uint64_t seed, Budget& budget, std::int64_t edges,
-            Steering* steering = nullptr);
+            TreeSteering* steering = nullptr);
 
   bool is_found() const { return best_ != none; }
   double length() const { return best_length_; }  ///< m; +∞ where nothing was found

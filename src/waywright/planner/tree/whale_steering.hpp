@@ -20,7 +20,7 @@ struct WhaleSteeringOptions {
   WhaleParameters whale{};
 };
 
-class WhaleSteering final : public Steering {
+class WhaleSteering final : public TreeSteering {
  public:
   WhaleSteering(const PlaneSpace& space, const WhaleSteeringOptions& options);
   Vec2 aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) override;
