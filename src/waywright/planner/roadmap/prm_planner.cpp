@@ -31,7 +31,6 @@ std::vector<Pose> picture_of(const std::vector<Vec2>& points) {
 SearchPicture picture_of(const RoadmapAnswer& answer) {
   SearchPicture picture;
   picture.name = "lines of the roadmap that the search took";
-  picture.step = "line tested";
   picture.steps = static_cast<std::uint32_t>(std::min<std::int64_t>(answer.lines, SearchPicture::never - 1));
   picture.lines = answer.taken;
   if (answer.ended == RoadmapEnd::found) picture.ways = {{answer.way, picture.steps}};

@@ -145,7 +145,6 @@ class VoronoiPlanner::Ready {
   SearchPicture picture() const {
     SearchPicture picture;
     picture.name = "Voronoi diagram where the disc fits";
-    picture.step = "expansion";
     for (const auto& [from, to] : map_->line_list()) picture.lines.push_back({from, to});
     return picture;
   }
