@@ -164,12 +164,14 @@ TEST_P(EveryPlanner, NoWayIsAFailureWithItsCause) {
 TEST_P(EveryPlanner, WorkStaysWithinTheBudget) {
   const Problem blocked = prepared(walled_in()), open = prepared(with_a_gap());
   for (const SteeringKind space : {SteeringKind::turns, SteeringKind::reeds_shepp}) {
+    OmplOptions options = in_space(space);
+    options.checks = 300;  // where motions are counted placements end a search that tests none
     for (const std::int64_t limit : {1, 3, 17, 250}) {
       for (const Problem* problem : {&blocked, &open}) {
         BudgetLimits motions;
         motions.evaluations = limit;
         Budget budget{motions};
-        const PlanningResult result = OmplPlanner{GetParam(), in_space(space), 1}.plan(*problem, budget);
+        const PlanningResult result = OmplPlanner{GetParam(), options, 1}.plan(*problem, budget);
         EXPECT_LE(budget.evaluations(), limit);
         EXPECT_GE(budget.evaluations(), 1);
         EXPECT_FALSE(budget.cut_short());
