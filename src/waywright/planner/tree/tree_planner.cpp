@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -27,6 +28,13 @@ std::vector<Pose> picture_of(const std::vector<Vec2>& points) {
     poses.push_back(make_pose(points[i], angle_of(along)));
   }
   return poses;
+}
+
+/// Of a limited number of evaluations the global variant leaves its second part what that can use, a half at most.
+std::int64_t for_refinement(const TreePlannerOptions& options, std::int64_t left) {
+  if (options.method != TreeMethod::woa_global) return 0;
+  const std::int64_t wanted = static_cast<std::int64_t>(options.refinement.population) * (options.refinement.iterations + 1) * std::max(1, options.rounds);
+  return std::min(wanted, left / 2);
 }
 
 /// Behind the tree's samples, a tenth of its time.
@@ -70,7 +78,8 @@ class TreePlanner::Ready {
     }
     PlaneTreeOptions tree_options = options.tree;
     tree_options.samples = budget.limits().samples.value_or(tree_options.samples);
-    const std::int64_t edges = budget.evaluations_left().value_or(no_limit);
+    const std::int64_t left = budget.evaluations_left().value_or(no_limit);
+    const std::int64_t edges = left == no_limit ? no_limit : left - for_refinement(options, left);
     auto lent = trees_.lend();
     PlaneTree& tree = *lent;
     std::optional<WhaleSteering> steering;
