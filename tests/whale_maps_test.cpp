@@ -137,7 +137,6 @@ TEST_F(CommandLine, ThePublicationsConfigurationIsPlanned) {
   std::filesystem::remove_all(folder_ / "o");
   std::ofstream{folder_ / "u.json"} << R"({"MapProcessor_Map_Name": "2", "PathPlanner_Steps": 1})";
   refused(run("plan u.json"), {"PathPlanner_Steps", "unknown key", "PathPlanner_Step_Size"});
-  if (find_planner("rrt_star_woa_global") == nullptr) GTEST_SKIP() << "rrt_star_woa_global is not registered";
   const auto global = run("plan c.json -o g");
   EXPECT_EQ(global.status, 0) << global.out << global.err;
   EXPECT_NE(global.err.find("PathPlanner_Step_Size 1.0 -> planner.parameters.step = 1"), std::string::npos) << global.err;

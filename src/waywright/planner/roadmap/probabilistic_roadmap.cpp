@@ -8,31 +8,13 @@
 #include <utility>
 
 #include "waywright/core/random.hpp"
+#include "waywright/planner/plane/proven_radius.hpp"
 
 namespace waywright {
 namespace {
 
 constexpr int tries_a_sample = 10'000;  // places drawn until one is free
 constexpr int clock_every = 32;         // samples, or lines
-
-/// Natural logarithm from plain arithmetic, the same bits everywhere: x = m·2^e, ln m = 2 artanh((m − 1)/(m + 1)) by its series. Error under 1e-12. @pre x ≥ 1
-double logarithm(double x) {
-  int exponent = 0;
-  while (x > 1.5) {
-    x *= 0.5;
-    ++exponent;
-  }
-  const double y = (x - 1.0) / (x + 1.0), squared = y * y;
-  double sum = 0.0;
-  for (int k = 15; k >= 0; --k) sum = sum * squared + 1.0 / (2 * k + 1);
-  return 2.0 * y * sum + exponent * std::numbers::ln2;
-}
-
-/// Karaman, Frazzoli, theorem 34: γ > 2 (1 + 1/d)^{1/d} (μ(free)/ζ_d)^{1/d}, r = γ (ln n / n)^{1/d}, d = 2.
-double proven_radius(double free_area, std::size_t places) {
-  const double n = std::max(2.0, static_cast<double>(places));
-  return 1.0001 * 2.0 * std::sqrt(1.5) * std::sqrt(free_area / std::numbers::pi) * std::sqrt(logarithm(n) / n);
-}
 
 /// A* with lines that are tested when they come first (Bohlin, Kavraki 2000; one entry a line).
 class LazySearch {
@@ -143,7 +125,7 @@ ProbabilisticRoadmap::ProbabilisticRoadmap(const PlaneSpace& space, const Roadma
   if (options.neighbours > 0) {
     is_whole_ = join_nearest(budget) && is_whole_;
   } else {
-    radius_ = options.radius > 0.0 ? options.radius : proven_radius(space.free_area(), bins_.size());
+    radius_ = options.radius > 0.0 ? options.radius : proven_radius(space.free_area(), static_cast<double>(bins_.size()));
   }
 }
 

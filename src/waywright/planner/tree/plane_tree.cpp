@@ -5,24 +5,13 @@
 #include <limits>
 #include <numbers>
 
+#include "waywright/planner/plane/proven_radius.hpp"
+
 namespace waywright {
 namespace {
 
 constexpr int tries_a_sample = 10'000;  // places drawn until one is free
 constexpr int clock_every = 32;         // samples
-
-/// Natural logarithm from plain arithmetic, the same bits everywhere: x = m·2^e, ln m by its series about 1. Error under 1e-12, for radii. @pre x ≥ 1
-double logarithm(double x) {
-  int exponent = 0;
-  while (x > 1.5) {
-    x *= 0.5;
-    ++exponent;
-  }
-  const double y = (x - 1.0) / (x + 1.0), y2 = y * y;
-  double sum = 0.0;
-  for (int k = 15; k >= 0; --k) sum = sum * y2 + 1.0 / (2 * k + 1);
-  return 2.0 * y * sum + exponent * std::numbers::ln2;
-}
 
 }  // namespace
 
@@ -32,11 +21,9 @@ bool PlaneTree::is_edge_free(Vec2 a, Vec2 b) {
   return space_->is_free(a, b);
 }
 
-/// Karaman, Frazzoli, theorem 38: γ > 2 (1 + 1/d)^{1/d} (μ(free)/ζ_d)^{1/d}, d = 2.
 double PlaneTree::radius() const {
   if (options_.radius > 0.0) return options_.radius;
-  const auto n = static_cast<double>(bins_.size());
-  return std::min(options_.step, gamma_ * std::sqrt(logarithm(std::max(2.0, n)) / n));
+  return std::min(options_.step, proven_radius(space_->free_area(), static_cast<double>(bins_.size())));
 }
 
 std::optional<Vec2> PlaneTree::sampled(Random& random) {
@@ -189,7 +176,6 @@ void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, V
   options_ = options;
   goal_ = goal;
   most_edges_ = edges;
-  gamma_ = 1.0001 * 2.0 * std::sqrt(1.5) * std::sqrt(space.free_area() / std::numbers::pi);
   bins_.clear(space.region());
   nodes_.clear();
   costs_.clear();

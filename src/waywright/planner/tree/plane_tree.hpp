@@ -104,7 +104,6 @@ class PlaneTree {
   PlaneTreeOptions options_;
   PlaneTarget goal_;
   std::int64_t most_edges_ = 0;
-  double gamma_ = 0.0;  // m, of the proven radius
   PointBins bins_;
   std::vector<Node> nodes_;
   std::vector<double> costs_;  // m from the start

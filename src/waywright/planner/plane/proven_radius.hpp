@@ -1,0 +1,11 @@
+// Within which distance a sampling planner has to look for neighbours, so that its ways tend to the shortest.
+#pragma once
+
+namespace waywright {
+
+/// S. Karaman, E. Frazzoli: Sampling-based algorithms for optimal motion planning, IJRR 30 (2011), theorems 34 (PRM*) and 38 (RRT*):
+/// γ √(ln n / n) with γ just over 2 (1 + 1/d)^{1/d} (μ(free)/ζ_d)^{1/d}, d = 2. m; the same bits everywhere.
+/// @param free_area m², not under the truth  @param places n; fewer than two count as two
+double proven_radius(double free_area, double places);
+
+}  // namespace waywright
