@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/map/published_maps.hpp"
+#include "waywright/map/field_worlds.hpp"
 #include "waywright/map/whale_maps.hpp"
 #include "waywright/planner/registry.hpp"
 #include "waywright/planner/waypoint/waypoint_clothoid.hpp"
@@ -82,7 +83,7 @@ int list(const std::string& what) {
     text += line("rmf", "walls of an Open-RMF building");
     text += line("cells", "occupancy cells inlined by run lengths");
     text += line("movingai", "a map of MovingAI's benchmarks");
-    text += line("generate", fmt::format("a map of a publication, as reconstructed: {}; {}", fmt::join(published_map_names(), ", "), fmt::join(whale_map_names(), ", ")));
+    text += line("generate", fmt::format("a map of a publication, as reconstructed: {}; {}; {}", fmt::join(published_map_names(), ", "), fmt::join(whale_map_names(), ", "), fmt::join(field_world_names(), ", ")));
   });
   section("zones", [&] {
     for (const ZoneType zone : zone_types) text += line(to_string(zone), meaning_of(zone));

@@ -21,7 +21,7 @@ std::pair<std::size_t, double> part_at(const std::vector<double>& ends, double s
 PathPlaces::PathPlaces(const Path& path) {
   for (const Piece& piece : path.pieces) {
     if (piece.direction == 0) continue;
-    Prepared prepared{piece, {}, {}};
+    Prepared prepared{piece, {}, {}, 0.0};
     double sum = 0.0;
     if (const auto* spline = std::get_if<Spline>(&piece.curve)) {
       for (const BezierSpan& span : spline->spans) {
@@ -35,6 +35,7 @@ PathPlaces::PathPlaces(const Path& path) {
     } else {
       sum = waywright::length(piece);
     }
+    prepared.length = sum;
     ends_.push_back((ends_.empty() ? 0.0 : ends_.back()) + sum);
     pieces_.push_back(std::move(prepared));
   }
@@ -49,6 +50,7 @@ PathPlace PathPlaces::at(double s) const {
 
 PathPlace PathPlaces::on(const Prepared& prepared, double s) const {
   const auto place = [&](const CurvePoint& p) {
+    if (const auto& heading = prepared.piece.heading) return PathPlace{make_pose(p.position, wrap(heading->from + heading->turn * s / prepared.length)), p.curvature};
     return PathPlace{make_pose(p.position, wrap(prepared.piece.direction < 0 ? p.course + pi : p.course)), p.curvature};
   };
   return std::visit(

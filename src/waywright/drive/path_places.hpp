@@ -30,6 +30,7 @@ class PathPlaces {
     Piece piece;
     std::vector<ArcLengthTable> spans;  ///< of a spline
     std::vector<double> ends;           ///< m, of its spans, or of steps between poses
+    double length = 0.0;                ///< m
   };
   PathPlace on(const Prepared& piece, double s) const;
 

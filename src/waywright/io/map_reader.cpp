@@ -19,6 +19,7 @@
 #include "waywright/io/vehicle_io.hpp"
 #include "waywright/map/published_maps.hpp"
 #include "waywright/map/trace.hpp"
+#include "waywright/map/field_worlds.hpp"
 #include "waywright/map/whale_maps.hpp"
 
 namespace waywright {
@@ -211,10 +212,15 @@ class MapReader {
       append(map_, std::move(hall->map));
       return;
     }
+    if (auto world = field_world(name)) {
+      source["name"] = name;
+      append(map_, std::move(world->map));
+      return;
+    }
     auto made = published_map(name);
     if (!made) {
       std::string names;
-      for (const auto* all : {&published_map_names(), &whale_map_names()}) {
+      for (const auto* all : {&published_map_names(), &whale_map_names(), &field_world_names()}) {
         for (const std::string& n : *all) names += (names.empty() ? "" : ", ") + n;
       }
       return node.fail(fmt::format("\"{}\" is not known", shortened(name)), names);

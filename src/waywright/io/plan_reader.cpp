@@ -62,11 +62,11 @@ Spline read_spline(const Node& node, SplineKind kind) {
 
 Curve read_curve(const Node& node, const std::string& kind) {
   if (kind == "line") {
-    if (!node.is_object_of({"kind", "direction", "from", "to"})) return {};
+    if (!node.is_object_of({"kind", "direction", "from", "to", "heading"})) return {};
     return Line{node.at("from").point(largest_on_path), node.at("to").point(largest_on_path)};
   }
   if (kind == "arc") {
-    if (!node.is_object_of({"kind", "direction", "start", "curvature", "length"})) return {};
+    if (!node.is_object_of({"kind", "direction", "start", "curvature", "length", "heading"})) return {};
     return read_arc(node);
   }
   if (kind == "clothoid") {
@@ -103,6 +103,10 @@ Piece read_piece(const Node& node) {
     direction.fail(fmt::format("{} on a piece of kind \"{}\"", piece.direction, kind),
                    kind == "turn" ? "0" : "1, -1");
   }
+  if (node.failed() || !node.given("heading")) return piece;
+  const Node heading = node.at("heading");
+  if (piece.direction != 1) heading.fail("it is told along a piece that is driven backwards", "direction 1 where the vehicle does not face along");
+  if (heading.is_object_of({"from", "turn"})) piece.heading = HeadingAlong{heading.at("from").number(-largest_angle, largest_angle), heading.at("turn").number(-1e3, 1e3)};
   return piece;
 }
 

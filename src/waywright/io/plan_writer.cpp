@@ -12,7 +12,7 @@
 namespace waywright {
 namespace {
 
-Json piece_to_json(const Piece& piece) {
+Json curve_to_json(const Piece& piece) {
   return std::visit(
       [&](const auto& curve) -> Json {
         using C = std::decay_t<decltype(curve)>;
@@ -56,6 +56,12 @@ Json piece_to_json(const Piece& piece) {
         }
       },
       piece.curve);
+}
+
+Json piece_to_json(const Piece& piece) {
+  Json j = curve_to_json(piece);
+  if (piece.heading) j["heading"] = {{"from", piece.heading->from}, {"turn", piece.heading->turn}};
+  return j;
 }
 
 /// A cusp's curvature has no number in JSON: the greatest there is stands for it.

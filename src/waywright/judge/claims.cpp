@@ -269,9 +269,9 @@ class SampleCheck {
     if (!limits.angular_acceleration) return std::nullopt;
     for (const std::size_t i : {k - 1, k}) {
       const Sample& f = matched_[i].at;
-      const double angular = f.curvature * acceleration + f.curvature_rate * square(claimed_[i].speed);
+      const double angular = f.turning() * acceleration + f.turning_rate() * square(claimed_[i].speed);
       if (std::abs(angular) >
-          *limits.angular_acceleration * (1.0 + relative_slack) + slack * (1.0 + std::abs(f.curvature))) {
+          *limits.angular_acceleration * (1.0 + relative_slack) + slack * (1.0 + std::abs(f.turning()))) {
         return at(c, fmt::format("the angular acceleration of {:.4f} rad/s² is over its limit", angular));
       }
     }

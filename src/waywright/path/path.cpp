@@ -32,7 +32,9 @@ Pose end_of(const Piece& piece, Select select, bool at_end) {
         } else if constexpr (std::is_same_v<C, PoseSequence>) {
           return at_end ? curve.poses.back() : curve.poses.front();
         } else {
-          return vehicle_pose(select(ends_of(curve)), piece.direction);
+          const CurvePoint end = select(ends_of(curve));
+          if (piece.heading) return make_pose(end.position, wrap(piece.heading->from + (at_end ? piece.heading->turn : 0.0)));
+          return vehicle_pose(end, piece.direction);
         }
       },
       piece.curve);
@@ -93,6 +95,11 @@ double length(const Path& path) {
   double sum = 0.0;
   for (const Piece& piece : path.pieces) sum += length(piece);
   return sum;
+}
+
+bool is_course_jump(const Sample& before, const Sample& after, double tolerance) {
+  return !(before.faces_along && after.faces_along) && before.direction != 0 && after.direction != 0 && before.s == after.s &&
+         std::abs(shorter_turn(before.course, after.course)) > tolerance;
 }
 
 bool is_direction_change(const Sample& before, const Sample& after) { return before.direction != after.direction; }

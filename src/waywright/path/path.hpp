@@ -1,16 +1,24 @@
 // A path: curves in order, each driven in one direction.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "waywright/curve/curve.hpp"
 
 namespace waywright {
 
+/// The vehicle's heading along a curve that it does not face along, as a mecanum drive can: evenly with arc length from `from` by `turn`.
+struct HeadingAlong {
+  double from = 0.0;  ///< rad, at the curve's start
+  double turn = 0.0;  ///< rad, left positive
+};
+
 /// direction: +1 forward (the vehicle's heading is the curve's course), −1 backward (course + π), 0 turning on the spot.
 struct Piece {
   Curve curve;
   int direction = 1;
+  std::optional<HeadingAlong> heading{};  ///< of lines and arcs driven in direction +1, where the vehicle does not face along them
 };
 
 /// As many as a docking pattern has, with the stretch in which a moving vehicle stops and the one into a pocket, need no memory of their own.
@@ -33,6 +41,12 @@ struct Sample {
   double t = 0.0;      ///< s from the start
   double speed = 0.0;  ///< m/s, ≥ 0
   std::size_t piece = 0;  ///< index into Path::pieces
+  bool faces_along = true;     ///< the heading follows the course (or its opposite), as of every vehicle but a mecanum drive
+  double heading_rate = 0.0;   ///< dθ/ds, rad/m, where it does not
+
+  /// rad/m, dθ/ds, and its change dθ′/ds, rad/m².
+  double turning() const { return faces_along ? curvature : heading_rate; }
+  double turning_rate() const { return faces_along ? curvature_rate : 0.0; }
 
   Pose pose() const { return {x, y, heading}; }
 };
@@ -76,5 +90,8 @@ void sample(const Path& path, double radius, double tolerance, double step, std:
 
 /// Places i where the vehicle must stand still between samples i−1 and i (same s): direction changes, turns on the spot.
 bool is_direction_change(const Sample& before, const Sample& after);
+
+/// The way of a vehicle that need not face along it has a corner between these neighbours (same s), by more than `tolerance` rad.
+bool is_course_jump(const Sample& before, const Sample& after, double tolerance = 1e-6);
 
 }  // namespace waywright

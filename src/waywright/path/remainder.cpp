@@ -80,6 +80,10 @@ Path remainder(const Path& path, double driven) {
   // At the path's very end a little of it is left.
   driven = std::min(driven, std::max(0.0, here - same_place));
   rest.pieces.push_back({std::visit([&](const auto& curve) -> Curve { return rest_of(curve, driven); }, cut.curve), cut.direction});
+  if (cut.heading) {
+    const double turned = cut.heading->turn * driven / here;
+    rest.pieces.back().heading = HeadingAlong{wrap(cut.heading->from + turned), cut.heading->turn - turned};
+  }
   for (std::size_t i = first + 1; i < path.pieces.size(); ++i) rest.pieces.push_back(path.pieces[i]);
   return rest;
 }

@@ -31,6 +31,9 @@ Path reversed(const Path& path) {
   Path back;
   for (auto piece = path.pieces.rbegin(); piece != path.pieces.rend(); ++piece) {
     back.pieces.push_back({std::visit([](const auto& curve) -> Curve { return other_way(curve); }, piece->curve), -piece->direction});
+    if (!piece->heading) continue;
+    back.pieces.back().direction = piece->direction;
+    back.pieces.back().heading = HeadingAlong{wrap(piece->heading->from + piece->heading->turn), -piece->heading->turn};
   }
   return back;
 }

@@ -56,8 +56,11 @@ double coarse_steps_of(const BezierSpan& span, const Density& density) {
 
 using SpanSteps = double (*)(const BezierSpan&, const Density&);
 
+/// Of a heading that does not follow the course, beside those of the curve.
+double steps_of(const std::optional<HeadingAlong>& heading, const Density& density) { return heading ? steps_of(Turn{{}, 0.0, heading->turn}, density) : 1.0; }
+
 double steps_of(const Piece& piece, const Density& density, SpanSteps span_steps) {
-  return std::visit(
+  return std::max(steps_of(piece.heading, density), std::visit(
       [&](const auto& curve) -> double {
         using C = std::decay_t<decltype(curve)>;
         if constexpr (std::is_same_v<C, Line>) {
@@ -78,7 +81,12 @@ double steps_of(const Piece& piece, const Density& density, SpanSteps span_steps
           return sum;
         }
       },
-      piece.curve);
+      piece.curve));
+}
+
+/// Heading and course go on as before: always so where the vehicle faces along.
+bool is_smooth_joint(const Sample& before, const Sample& after) {
+  return (before.faces_along && after.faces_along) || (!is_course_jump(before, after, 1e-9) && std::abs(before.turning() - after.turning()) <= 1e-6);
 }
 
 class Sampler {
@@ -92,6 +100,9 @@ class Sampler {
     direction_ = piece.direction;
     piece_ = index;
     at_joint_ = !samples_.empty();
+    heading_ = piece.heading;
+    length_ = heading_ ? length(piece) : 0.0;
+    s0_ = begin();
     std::visit([this](const auto& curve) { follow(curve); }, piece.curve);
   }
 
@@ -105,6 +116,11 @@ class Sampler {
   }
 
   void push(double s, const CurvePoint& point) {
+    if (heading_) {
+      const double heading = heading_->from + heading_->turn * std::min(1.0, (s - s0_) / length_);
+      push_pose(s, make_pose(point.position, heading), point.course, point.curvature, point.curvature_rate);
+      return;
+    }
     push_pose(s, make_pose(point.position, direction_ < 0 ? wrap(point.course + pi) : point.course), point.course,
               point.curvature, point.curvature_rate);
   }
@@ -120,11 +136,13 @@ class Sampler {
     sample.curvature_rate = rate;
     sample.direction = direction_;
     sample.piece = piece_;
+    sample.faces_along = !heading_;
+    sample.heading_rate = heading_ ? heading_->turn / length_ : 0.0;
     if (at_joint_) {
       at_joint_ = false;
       const Sample& before = samples_.back();
       // Smooth joints need one sample only; where the vehicle stands still, the pose stands twice.
-      if (before.direction == direction_ && std::abs(before.curvature - curvature) <= 1e-6 && direction_ != 0) return;
+      if (before.direction == direction_ && std::abs(before.curvature - curvature) <= 1e-6 && direction_ != 0 && is_smooth_joint(before, sample)) return;
     }
     samples_.push_back(sample);
   }
@@ -134,7 +152,7 @@ class Sampler {
   void follow(const Line& line) {
     const double s0 = begin();
     const double total = arc_length(line);
-    const std::size_t steps = count(steps_of(total, {}, density_));
+    const std::size_t steps = count(std::max(steps_of(total, {}, density_), steps_of(heading_, density_)));
     for (std::size_t i = 0; i <= steps; ++i) {
       const double s = total * static_cast<double>(i) / static_cast<double>(steps);
       CurvePoint point = evaluate(line, s);
@@ -145,7 +163,7 @@ class Sampler {
 
   void follow(const Arc& arc) {
     const double s0 = begin();
-    const std::size_t steps = count(steps_of(arc.length, {std::abs(arc.curvature), 0.0}, density_));
+    const std::size_t steps = count(std::max(steps_of(arc.length, {std::abs(arc.curvature), 0.0}, density_), steps_of(heading_, density_)));
     for (std::size_t i = 0; i <= steps; ++i) {
       const double s = arc.length * static_cast<double>(i) / static_cast<double>(steps);
       push(s0 + s, evaluate(arc, s));
@@ -214,6 +232,8 @@ class Sampler {
   std::vector<Sample>& samples_;
   int direction_ = 1;
   std::size_t piece_ = 0;
+  std::optional<HeadingAlong> heading_;
+  double length_ = 0.0, s0_ = 0.0;  // m, of the piece, where a heading is told along it; where it begins
   bool at_joint_ = false;
   bool is_full_ = false;
 };

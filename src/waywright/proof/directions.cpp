@@ -33,7 +33,7 @@ class Direction {
       for (const MotionInterval& interval : motion.of_piece(i)) {
         std::optional<Violation> found;
         if (is_from_outside) found = check_step(interval, was_inside, farthest);
-        else found = std::holds_alternative<Line>(piece.curve) ? check_straight(interval) : check_curve(interval, piece.direction);
+        else found = std::holds_alternative<Line>(piece.curve) ? check_straight(interval) : check_curve(interval);
         if (found) return found;
       }
     }
@@ -85,24 +85,23 @@ class Direction {
     return std::nullopt;
   }
 
-  std::optional<Violation> check_curve(const MotionInterval& interval, int direction) {
-    const double reversed = direction < 0 ? pi : 0.0;
-    const auto look = [&](const Pose& pose) -> std::optional<Violation> {
+  std::optional<Violation> check_curve(const MotionInterval& interval) {
+    const auto look = [&](const Pose& pose, double course) -> std::optional<Violation> {
       ++looks_;
-      const double course = pose.heading + reversed;
       if (std::abs(shorter_turn(zone_.direction, course)) <= 0.5 * pi + zone_course) return std::nullopt;
       if (depth_in(zone_.area, pose.position()) <= zone_depth) return std::nullopt;
       return against(pose.position(), course);
     };
-    if (auto found = look(interval.begin())) return found;
-    if (auto found = look(interval.end())) return found;
+    if (auto found = look(interval.begin(), interval.course_at_begin())) return found;
+    if (auto found = look(interval.end(), interval.course_at_end())) return found;
     const double bow = interval.deviation(0.0) + interval.rounding(0.0);
     if (std::isfinite(bow)) {
       if (!is_near(interval, bow)) return std::nullopt;
       // A point at 1 m leaves its chord by what the origin does, by what turning evenly does, and by what the heading does.
+      // (Of an arc that is not faced along, the course is the even turning itself.)
       const double off = interval.deviation(1.0) - interval.deviation(0.0) + interval.rounding(1.0);
-      const double half = 0.5 * std::abs(interval.end().heading - interval.begin().heading) + off;
-      const double middle = 0.5 * (interval.begin().heading + interval.end().heading) + reversed;
+      const double half = 0.5 * std::abs(interval.course_at_end() - interval.course_at_begin()) + off;
+      const double middle = 0.5 * (interval.course_at_begin() + interval.course_at_end());
       if (std::abs(shorter_turn(zone_.direction, middle)) + half <= 0.5 * pi + zone_course) return std::nullopt;
       if (bow < zone_depth && stretches_deeper_than(zone_.area, zone_depth - bow, interval.begin().position(), interval.end().position()).empty()) return std::nullopt;
     }
@@ -111,8 +110,8 @@ class Direction {
       return Violation{fmt::format("whether the vehicle keeps to the direction of {} at ({:.3f}, {:.3f}) was not decided", zone_.title, at.x, at.y), interval.begin()};
     }
     const MotionHalves halves{interval};
-    if (auto found = check_curve(halves.left, direction)) return found;
-    return check_curve(halves.right, direction);
+    if (auto found = check_curve(halves.left)) return found;
+    return check_curve(halves.right);
   }
 
   const ZoneRules::Directed& zone_;

@@ -157,6 +157,13 @@ std::vector<Violation> check_form(const Path& path) {
       violations.push_back({fmt::format("piece {} has direction {}, which does not fit its kind", i, piece.direction),
                             std::nullopt});
     }
+    if (!piece.heading) continue;
+    if (!std::isfinite(piece.heading->from) || !std::isfinite(piece.heading->turn) || std::abs(piece.heading->turn) > most_turning) {
+      violations.push_back({fmt::format("the heading along piece {} is not finite or turns by more than {:.0f} rad", i, most_turning), std::nullopt});
+    }
+    if (piece.direction != 1 || !(std::holds_alternative<Line>(piece.curve) || std::holds_alternative<Arc>(piece.curve))) {
+      violations.push_back({fmt::format("piece {} has a heading of its own, which only lines and arcs in direction 1 can have", i), std::nullopt});
+    }
   }
   return violations;
 }
@@ -194,8 +201,9 @@ std::vector<Violation> check_continuity(const Problem& problem, const Path& path
 
 std::vector<Violation> check_limits(const Vehicle& vehicle, const Path& path, const Motion& motion) {
   std::vector<Violation> violations = check_pose_sequences(vehicle, path);
-  bool turns = false;
+  bool turns = false, slides = false;
   for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+    slides = slides || path.pieces[i].heading;
     turns = turns || std::holds_alternative<Turn>(path.pieces[i].curve);
     if (!vehicle.steering_takes_time() || std::holds_alternative<PoseSequence>(path.pieces[i].curve)) continue;
     const std::span<const MotionInterval> intervals = motion.of_piece(i);
@@ -208,6 +216,9 @@ std::vector<Violation> check_limits(const Vehicle& vehicle, const Path& path, co
                               intervals[k + 1].begin()});
       }
     }
+  }
+  if (slides && !vehicle.moves_any_way()) {
+    violations.push_back({fmt::format("the vehicle does not face along the path, as {} drive must", std::holds_alternative<Tricycle>(vehicle.drive) ? "a tricycle" : "a differential"), std::nullopt});
   }
   if (turns && !vehicle.can_turn_on_the_spot()) {
     violations.push_back({"the path turns on the spot, which a tricycle drive cannot do", std::nullopt});

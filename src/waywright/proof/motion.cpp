@@ -72,6 +72,12 @@ MotionInterval MotionInterval::of(const Clothoid& clothoid, int direction) {
   return interval;
 }
 
+void MotionInterval::head_evenly(double from, double to) {
+  faces_along_ = false;
+  begin_.heading = from;
+  end_.heading = to;
+}
+
 MotionInterval MotionInterval::of(const BoundedSpan& span, int direction) {
   const Pose begin = begin_of(span.span, direction);
   MotionInterval interval = straight(begin, continued(begin, end_of(span.span, direction)), direction);
@@ -111,9 +117,15 @@ void Motion::add(const Piece& piece) {
       [&](const auto& curve) {
         using C = std::decay_t<decltype(curve)>;
         if constexpr (std::is_same_v<C, Line>) {
-          straight(start_pose(piece), end_pose(piece));
+          Pose begin = start_pose(piece), end = end_pose(piece);
+          if (piece.heading) {
+            begin.heading = piece.heading->from;
+            end.heading = piece.heading->from + piece.heading->turn;
+          }
+          straight(begin, end);
         } else if constexpr (std::is_same_v<C, Arc>) {
           intervals_.push_back(MotionInterval::of(Clothoid{curve.start, curve.curvature, 0.0, curve.length}, piece.direction));
+          if (piece.heading) intervals_.back().head_evenly(piece.heading->from, piece.heading->from + piece.heading->turn);
         } else if constexpr (std::is_same_v<C, Clothoid>) {
           intervals_.push_back(MotionInterval::of(curve, piece.direction));
         } else if constexpr (std::is_same_v<C, Turn>) {
@@ -137,7 +149,7 @@ void Motion::add(const Piece& piece) {
 
 double MotionInterval::deviation(double radius) const {
   const double turned = std::abs(end_.heading - begin_.heading);
-  // Rotating a point evenly by `turned` leaves the chord between its two places by at most radius·turned²/8.
+  // (Where the vehicle does not face along an arc, its heading is that even turning itself.) Rotating a point evenly by `turned` leaves the chord between its two places by at most radius·turned²/8.
   const double chord = radius * turned * turned / 8.0;
   if (std::holds_alternative<Straight>(curve_)) return chord;
   if (const auto* c = std::get_if<Clothoid>(&curve_)) {
@@ -179,6 +191,11 @@ MotionHalves::MotionHalves(const MotionInterval& whole) : left{whole}, right{who
     right = MotionInterval::of(second, whole.direction_);
     left.whole_length_ = right.whole_length_ = whole.whole_length_;
     left.whole_turning_ = right.whole_turning_ = whole.whole_turning_;
+    if (!whole.faces_along_) {
+      const double middle = 0.5 * (whole.begin_.heading + whole.end_.heading);
+      left.head_evenly(whole.begin_.heading, middle);
+      right.head_evenly(middle, whole.end_.heading);
+    }
   } else {
     left.end_ = right.begin_ =
         make_pose(0.5 * (whole.begin_.position() + whole.end_.position()), 0.5 * (whole.begin_.heading + whole.end_.heading));
@@ -210,6 +227,19 @@ double MotionInterval::rounding(double radius) const {
     heading += slowest > 0.0 ? 16.0 * (1.0 + depth_) * unit_roundoff * reach / std::sqrt(slowest) : pi;
   }
   return 1e-14 * (1.0 + 0.1 * depth_) * (reach + radius) + 4.0 * radius * heading;
+}
+
+double MotionInterval::course_at_begin() const {
+  if (!faces_along_) return std::get<Clothoid>(curve_).start.heading;
+  return direction_ < 0 ? begin_.heading + pi : begin_.heading;
+}
+
+double MotionInterval::course_at_end() const {
+  if (!faces_along_) {
+    const Clothoid& c = std::get<Clothoid>(curve_);
+    return c.start.heading + c.length * (c.curvature + 0.5 * c.curvature_rate * c.length);
+  }
+  return direction_ < 0 ? end_.heading + pi : end_.heading;
 }
 
 double MotionInterval::curvature_at_begin() const {

@@ -38,6 +38,10 @@ class MotionInterval {
   /// How often the curve was halved to get here.
   int depth() const { return depth_; }
 
+  /// rad, of the curve followed, in its direction of travel: where the vehicle faces along, the heading or its opposite. Continuous within an
+  /// interval. @pre it is no straight interpolation
+  double course_at_begin() const;
+  double course_at_end() const;
   double curvature_at_begin() const;
   double curvature_at_end() const;
   /// dκ/ds where it is the same everywhere, 1/m². @pre there is no span
@@ -59,10 +63,12 @@ class MotionInterval {
   static MotionInterval straight(const Pose& begin, const Pose& end, int direction);
   static MotionInterval of(const Clothoid& clothoid, int direction);
   static MotionInterval of(const BoundedSpan& span, int direction);
+  void head_evenly(double from, double to);
 
   Pose begin_{};
   Pose end_{};
   int direction_ = 1;
+  bool faces_along_ = true;  // else the heading goes evenly from the one end's to the other's
   int depth_ = 0;
   // Of the clothoid that this was halved from, m and rad: errors of its integrals and courses add up to shares of them.
   double whole_length_ = 0.0, whole_turning_ = 0.0;

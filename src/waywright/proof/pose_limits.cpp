@@ -119,7 +119,7 @@ std::optional<Violation> rate_excess(const PoseSequence& sequence, const std::ve
 
 std::vector<Violation> check_pose_sequences(const Vehicle& vehicle, const Path& path) {
   std::vector<Violation> violations;
-  if (std::holds_alternative<Mecanum>(vehicle.drive)) return violations;
+  if (vehicle.moves_any_way()) return violations;
   const double limit = vehicle.max_curvature();
   Rule slip{slip_share, slip_allowed};
   Rule bend{limit * (1.0 + estimate_slack), turn_allowed};

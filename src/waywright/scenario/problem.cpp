@@ -191,9 +191,6 @@ Parsed<Problem> Problem::prepare(Scenario scenario, const World* of_map) {
   problem.scenario_ = std::move(scenario);
   const Scenario& given = problem.scenario_;
   if (!given.legs.empty()) return tl::unexpected{refuse("legs", "a mission of several legs is not one problem", "one goal or station")};
-  if (std::holds_alternative<Mecanum>(given.vehicle.drive)) {
-    return tl::unexpected{InputError{"", "vehicle.drive.type", "\"mecanum\" is not supported yet: no planner here drives sideways", "tricycle, differential"}};
-  }
   auto footprint = carried_footprint(given);
   if (auto* error = std::get_if<InputError>(&footprint)) return tl::unexpected{*error};
   problem.footprint_ = std::move(std::get<Footprint>(footprint));

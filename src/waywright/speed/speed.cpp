@@ -55,7 +55,7 @@ double cap_at(const Sample& at, int direction, const Vehicle& vehicle) {
   const Limits& limits = vehicle.limits;
   double cap = square(direction < 0 ? limits.reverse_speed : limits.speed);
   if (limits.lateral_acceleration) cap = std::min(cap, *limits.lateral_acceleration / std::abs(at.curvature));
-  if (limits.angular_speed) cap = std::min(cap, square(*limits.angular_speed / std::abs(at.curvature)));
+  if (limits.angular_speed) cap = std::min(cap, square(*limits.angular_speed / std::abs(at.turning())));
   if (const auto* tricycle = std::get_if<Tricycle>(&vehicle.drive); tricycle != nullptr && tricycle->max_steering_rate) {
     // Steering angle atan(Lκ): its rate is Lκ′v / (1 + (Lκ)²).
     const double per_metre = tricycle->wheelbase * std::abs(at.curvature_rate) / (1.0 + square(tricycle->wheelbase * at.curvature));
@@ -72,10 +72,10 @@ SpeedStep make_step(const Sample& from, const Sample& to, const Vehicle& vehicle
     step.turn = turn_on_the_spot(from, to);
     return step;
   }
-  step.curvature = std::max(std::abs(from.curvature), std::abs(to.curvature));
-  step.rate = std::max(std::abs(from.curvature_rate), std::abs(to.curvature_rate));
-  if (!std::isfinite(step.curvature) || !std::isfinite(step.rate)) {  // a cusp
-    step.curvature = step.rate = 0.0;
+  step.turning = std::max(std::abs(from.turning()), std::abs(to.turning()));
+  step.rate = std::max(std::abs(from.turning_rate()), std::abs(to.turning_rate()));
+  if (!std::isfinite(step.turning) || !std::isfinite(step.rate)) {  // a cusp
+    step.turning = step.rate = 0.0;
     step.top = 0.0;
     return step;
   }
@@ -143,8 +143,8 @@ class Profile {
       const double bound = *limits_.angular_acceleration;
       for (const std::size_t k : {i, i + 1}) {
         const double moved = k == i ? 0.0 : 2.0 * length;  // w at the end is w + 2·length·a
-        const double slope = samples_[k].curvature + moved * samples_[k].curvature_rate;
-        const double constant = w * samples_[k].curvature_rate;
+        const double slope = samples_[k].turning() + moved * samples_[k].turning_rate();
+        const double constant = w * samples_[k].turning_rate();
         a.keep(slope, constant, bound);
         a.keep(-slope, -constant, bound);
       }
@@ -251,8 +251,8 @@ double rest_to_rest(const SpeedStep& step, const Limits& limits) {
   if (limits.angular_acceleration) {
     const double half = 0.5 * *limits.angular_acceleration;
     top = std::min(top, half / step.rate);
-    acceleration = std::min(acceleration, half / step.curvature);
-    deceleration = std::min(deceleration, half / step.curvature);
+    acceleration = std::min(acceleration, half / step.turning);
+    deceleration = std::min(deceleration, half / step.turning);
   }
   return rest_to_rest(step.length, std::max(acceleration, creeping), std::max(deceleration, creeping),
                       std::max(std::sqrt(top), creeping));
@@ -346,12 +346,17 @@ double time_from_rest_to_rest(const Sample& before, const Sample& after, const V
 bool must_stand(const Sample& before, const Sample& after, const Vehicle& vehicle) {
   if (is_direction_change(before, after) || before.direction == 0 || after.direction == 0) return true;
   if (turn_on_the_spot(before, after) != 0.0) return true;
-  return vehicle.stands_at_curvature_jumps() && is_curvature_jump(before, after);
+  if (is_course_jump(before, after)) return true;
+  if (vehicle.steering_takes_time() && is_curvature_jump(before, after)) return true;
+  return vehicle.limits.angular_acceleration && is_turning_jump(before, after);
 }
 
 bool is_curvature_jump(const Sample& before, const Sample& after, double tolerance) {
-  return std::abs(after.s - before.s) <= same_place &&
-         std::abs(after.curvature - before.curvature) > tolerance;
+  return std::abs(after.s - before.s) <= same_place && std::abs(after.curvature - before.curvature) > tolerance;
+}
+
+bool is_turning_jump(const Sample& before, const Sample& after, double tolerance) {
+  return std::abs(after.s - before.s) <= same_place && std::abs(after.turning() - before.turning()) > tolerance;
 }
 
 }  // namespace waywright

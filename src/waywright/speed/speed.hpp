@@ -11,9 +11,9 @@
 namespace waywright {
 
 /// Fills t and speed of every sample: the fastest profile that is at rest at both ends, at changes of
-/// direction and where the curvature jumps while curvature rate, steering rate or angular acceleration is
+/// direction, at corners of a way that the vehicle does not face along, and where the curvature jumps while curvature rate, steering rate or angular acceleration is
 /// limited, and keeps speed (by direction), acceleration, deceleration, lateral acceleration, angular speed
-/// and acceleration (|κ·a + dκ/ds·v²|), and the steering rate (wheelbase·|dκ/ds|·v / (1 + (wheelbase·κ)²) ≤
+/// and acceleration (|θ′·a + θ″·v²|; θ′ = κ where the vehicle faces along), and the steering rate (wheelbase·|dκ/ds|·v / (1 + (wheelbase·κ)²) ≤
 /// max_steering_rate). v² is linear in s between samples, but for steps that begin and end at rest, which
 /// speed up and slow down within; turning on the spot follows the angular limits (1 rad/s and 1 rad/s² where
 /// absent); a steered wheel that has to turn while the vehicle stands is waited for. Laws: t never decreases
@@ -37,8 +37,8 @@ struct SpeedStep {
   double length = 0.0;  ///< m; 0: both samples are at one place
   double turn = 0.0;    ///< rad, of a turn on the spot; else 0
   double top = std::numeric_limits<double>::infinity();  ///< m²/s², greatest v² by speed, lateral acceleration, angular speed, steering rate
-  double curvature = 0.0;  ///< greatest |κ|, 1/m
-  double rate = 0.0;       ///< greatest |κ′|, 1/m²
+  double turning = 0.0;  ///< greatest |dθ/ds| of the heading, rad/m: |κ| where the vehicle faces along
+  double rate = 0.0;     ///< greatest |d²θ/ds²|, rad/m²
 };
 
 /// Memory that is reused from profile to profile.
@@ -61,11 +61,13 @@ double greatest_start_speed(const std::vector<Sample>& samples, const Vehicle& v
 /// s that a step takes at least which begins and ends at rest and moves between.
 double time_from_rest_to_rest(const Sample& before, const Sample& after, const Vehicle& vehicle);
 
-/// The vehicle must stand at both of these neighbours: the direction changes, it turns on the spot, or the curvature jumps and steering
-/// (or turning faster) takes time.
+/// The vehicle must stand at both of these neighbours: the direction changes, it turns on the spot, its way has a corner that it does not turn
+/// for, or the curvature jumps and steering (or turning faster) takes time.
 bool must_stand(const Sample& before, const Sample& after, const Vehicle& vehicle);
 
 /// Samples i−1, i of two pieces at one place whose curvature differs by more than `tolerance` 1/m.
 bool is_curvature_jump(const Sample& before, const Sample& after, double tolerance = 1e-6);
+/// The same of dθ/ds, rad/m: what a vehicle that need not face along turns by.
+bool is_turning_jump(const Sample& before, const Sample& after, double tolerance = 1e-6);
 
 }  // namespace waywright

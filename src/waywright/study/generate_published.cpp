@@ -1,4 +1,5 @@
 #include "waywright/core/elementary.hpp"
+#include "waywright/map/field_worlds.hpp"
 #include "waywright/map/published_maps.hpp"
 #include "waywright/map/whale_maps.hpp"
 #include "waywright/study/generate.hpp"
@@ -23,6 +24,10 @@ std::optional<Scenario> published_scenario(std::string_view name) {
     scenario.name = hall->name + ", " + hall->about;
     scenario.map = std::move(hall->map);
     task = hall->task;
+  } else if (auto world = field_world(name)) {
+    scenario.name = world->name + ", " + world->about;
+    scenario.map = std::move(world->map);
+    task = world->tasks.front();
   } else if (auto cells = published_map(name)) {
     scenario.name = cells->name;
     scenario.map.grids.push_back(std::move(cells->grid));

@@ -72,6 +72,8 @@ struct Vehicle {
   /// The smaller of the limit given and tan(max_steering)/wheelbase; +∞ where neither binds. 1/m.
   double max_curvature() const;
   bool can_turn_on_the_spot() const;
+  /// It can drive in any direction whichever way it faces (holonomic).
+  bool moves_any_way() const { return std::holds_alternative<Mecanum>(drive); }
   /// Curvature rate or steering rate is limited: the curvature can jump only where the vehicle stands.
   bool steering_takes_time() const;
   /// That, or angular acceleration is limited: a vehicle that moves cannot change its curvature at once.

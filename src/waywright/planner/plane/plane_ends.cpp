@@ -8,6 +8,7 @@
 #include "waywright/planner/grid/grid_path.hpp"
 #include "waywright/planner/grid/grid_words.hpp"
 #include "waywright/planner/grid/motion_check.hpp"
+#include "waywright/planner/plane/rounded_way.hpp"
 
 namespace waywright {
 namespace {
@@ -39,6 +40,22 @@ std::optional<PlaneEnd> end_at(const PlaneSpace& space, const Pose& pose, bool i
   return std::nullopt;
 }
 
+/// The runs at the ends without turning, as they were tested; the heading goes from the one to the other between them.
+Path slid_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal) {
+  const Problem& problem = space.problem();
+  Path path;
+  const auto run = [&](Vec2 from, Vec2 to, double heading) {
+    if (distance(from, to) > 0.0) path.pieces.push_back({Line{from, to}, 1, HeadingAlong{heading, 0.0}});
+  };
+  const Pose& from = problem.start();
+  const bool is_free = problem.free_goal() != nullptr;
+  const double turn = is_free ? 0.0 : shorter_turn(from.heading, problem.goal().heading);
+  if (start.run != 0) run(from.position(), start.at, from.heading);
+  for (Piece& piece : driven_way(space, points, from.heading, turn).pieces) path.pieces.push_back(std::move(piece));
+  if (goal.run != 0) run(goal.at, problem.goal().position(), is_free ? from.heading : problem.goal().heading);
+  return path;
+}
+
 }  // namespace
 
 double longest_run(const PlaneSpace& space) { return 6.0 * space.needed() + 0.5; }
@@ -49,11 +66,21 @@ std::optional<PlaneEnd> plane_goal(const PlaneSpace& space) { return end_at(spac
 
 Path plane_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal) {
   const Problem& problem = space.problem();
+  if (problem.vehicle().moves_any_way()) return slid_path(space, start, points, goal);
   std::vector<Action> actions;
   if (start.run != 0) actions.push_back({Action::Kind::drive, 0.0, start.at, start.run});
   for (std::size_t i = 1; i < points.size(); ++i) actions.push_back({Action::Kind::drive, 0.0, points[i], 1});
   if (goal.run != 0) actions.push_back({Action::Kind::drive, 0.0, problem.goal().position(), goal.run});
   return problem.free_goal() != nullptr ? path_along(problem.start(), actions) : path_of(problem.start(), actions, problem.goal());
+}
+
+Path rounded_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal) {
+  const Problem& problem = space.problem();
+  if (problem.vehicle().moves_any_way() || start.run != 0 || goal.run != 0) return plane_path(space, start, points, goal);
+  Path path = driven_way(space, points, problem.start().heading, problem.free_goal() != nullptr ? 0.0 : shorter_turn(problem.start().heading, problem.goal().heading));
+  const bool ends_in_turn = !path.pieces.empty() && path.pieces.back().direction == 0 && path.pieces.size() > 1;
+  if (problem.free_goal() != nullptr && ends_in_turn) path.pieces.pop_back();  // as the last drive has it
+  return path;
 }
 
 std::optional<std::string> nothing_to_plan(const Problem& problem, std::string_view name) {
@@ -81,6 +108,17 @@ std::string run_sentence(const PlaneSpace& space, const PlaneEnd& start, const P
   if (start.run != 0 && goal.run != 0) text += ", ";
   if (goal.run != 0) text += run(goal.at, problem.goal().position(), goal.run) + " into the goal";
   return text + ".";
+}
+
+std::string driving_sentence(const Problem& problem, const Path& path) {
+  if (problem.vehicle().moves_any_way()) {
+    double turned = 0.0;
+    for (const Piece& piece : path.pieces) turned += piece.heading ? std::abs(piece.heading->turn) : 0.0;
+    return fmt::format("It is {:.3f} m long, and the vehicle {} while it drives.", length(path), turned > 0.0 ? fmt::format("turns by {:.1f}°", turned * 180.0 / pi) : std::string{"keeps its heading"});
+  }
+  const Turning turning = turning_of(path);
+  return fmt::format("It is {:.3f} m long and turns on the spot {}, {:.1f}° in all.", length(path), turning.turns == 1 ? std::string{"once"} : fmt::format("{} times", turning.turns),
+                     turning.angle * 180.0 / pi);
 }
 
 double length_of_way(const std::vector<Vec2>& points) {

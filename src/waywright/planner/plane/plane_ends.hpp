@@ -25,8 +25,13 @@ std::optional<PlaneEnd> plane_goal(const PlaneSpace& space);
 /// m
 double longest_run(const PlaneSpace& space);
 
-/// A path along corners: lines with turns on the spot. `points` go from start.at to goal.at (where the goal's heading is free, to where the way ends).
+/// A path along corners: lines with turns on the spot; of a vehicle that moves any way lines and arcs (see rounded_way.hpp) on which its heading goes evenly from the
+/// start's to the goal's. `points` go from start.at to goal.at (where the goal's heading is free, to where the way ends).
 Path plane_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal);
+
+/// The same with corners rounded by arcs where there is room, for ways with many of them. (Where a run leads from the start or into the goal, a vehicle that does not
+/// move any way drives corners.)
+Path rounded_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal);
 
 /// Why `name` plans nothing at all here: a vehicle that cannot turn on the spot, nothing to drive. Empty where it can go on.
 std::optional<std::string> nothing_to_plan(const Problem& problem, std::string_view name);
@@ -35,6 +40,9 @@ std::optional<std::string> nothing_to_plan(const Problem& problem, std::string_v
 PlanningFailure no_room(const PlaneSpace& space, bool is_start);
 /// What the runs at the ends are for. @pre there is one
 std::string run_sentence(const PlaneSpace& space, const PlaneEnd& start, const PlaneEnd& goal);
+
+/// "It is 8.062 m long and turns on the spot once, 12.3° in all."
+std::string driving_sentence(const Problem& problem, const Path& path);
 
 /// m
 double length_of_way(const std::vector<Vec2>& points);

@@ -1,0 +1,126 @@
+#include "waywright/planner/field/sphere_world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace waywright {
+namespace {
+
+constexpr double least_kappa = 2.0, most_kappa = 20.0, kappa_step = 0.5;
+constexpr int newton_steps = 60;
+
+}  // namespace
+
+double NavigationFunction::distance_to_rim(Vec2 q) const {
+  double least = world_.outside.radius - distance(q, world_.outside.centre);
+  for (const Disc& disc : world_.obstacles) least = std::min(least, distance(q, disc.centre) - disc.radius);
+  return least;
+}
+
+bool NavigationFunction::is_free(Vec2 q) const { return distance_to_rim(q) > 0.0; }
+
+// ∇ ln d² = 2(q − g)/d²; ∇ ln β₀ = −2(q − q₀)/β₀; ∇ ln βᵢ = 2(q − qᵢ)/βᵢ. No length unit stands in them.
+Vec2 NavigationFunction::slope(Vec2 q) const {
+  const Vec2 to = q - goal_;
+  Vec2 sum = (2.0 * kappa_ / squared_norm(to)) * to;
+  const Vec2 in = q - world_.outside.centre;
+  sum = sum + (2.0 / (world_.outside.radius * world_.outside.radius - squared_norm(in))) * in;
+  for (const Disc& disc : world_.obstacles) {
+    const Vec2 away = q - disc.centre;
+    sum = sum - (2.0 / (squared_norm(away) - disc.radius * disc.radius)) * away;
+  }
+  return sum;
+}
+
+// The Hessian of ln(|v|² − c) is 2/b·I − 4/b²·v·vᵀ with b = |v|² − c.
+SymmetricMatrix NavigationFunction::curvature(Vec2 q) const {
+  SymmetricMatrix sum;
+  const auto add = [&](double weight, Vec2 v, double b) {
+    const double even = 2.0 * weight / b, bent = 4.0 * weight / (b * b);
+    sum.xx += even - bent * v.x * v.x;
+    sum.xy -= bent * v.x * v.y;
+    sum.yy += even - bent * v.y * v.y;
+  };
+  const Vec2 to = q - goal_, in = q - world_.outside.centre;
+  add(kappa_, to, squared_norm(to));
+  add(-1.0, in, squared_norm(in) - world_.outside.radius * world_.outside.radius);  // ln β₀ = ln(−b)
+  for (const Disc& disc : world_.obstacles) {
+    const Vec2 away = q - disc.centre;
+    add(-1.0, away, squared_norm(away) - disc.radius * disc.radius);
+  }
+  return sum;
+}
+
+double NavigationFunction::log_of(Vec2 q) const {
+  const double unit = world_.outside.radius * world_.outside.radius;
+  double f = kappa_ * std::log(squared_norm(q - goal_) / unit) - std::log((unit - squared_norm(q - world_.outside.centre)) / unit);
+  for (const Disc& disc : world_.obstacles) f -= std::log((squared_norm(q - disc.centre) - disc.radius * disc.radius) / unit);
+  return f;
+}
+
+double NavigationFunction::value(Vec2 q) const {
+  if (q == goal_) return 0.0;
+  if (!is_free(q)) return 1.0;
+  const double f = log_of(q);
+  // (1 + e^−f)^(−1/κ), from whichever side does not overflow.
+  const double log_sum = f > 0.0 ? std::log1p(std::exp(-f)) : std::log1p(std::exp(f)) - f;
+  return std::exp(-log_sum / kappa_);
+}
+
+Vec2 NavigationFunction::gradient(Vec2 q) const {
+  if (q == goal_ || !is_free(q)) return {};
+  // dφ/df = φ/κ·(1 − φ^κ).
+  const double f = log_of(q);
+  const double rest = f > 0.0 ? std::exp(-f) / (1.0 + std::exp(-f)) : 1.0 / (1.0 + std::exp(f));
+  return (value(q) * rest / kappa_) * slope(q);
+}
+
+std::vector<CriticalPoint> critical_points(const NavigationFunction& function, int side) {
+  const Disc& outside = function.world().outside;
+  const double same = 1e-6 * outside.radius, longest = 0.05 * outside.radius;
+  std::vector<CriticalPoint> found;
+  const auto from = [&](Vec2 q) -> std::optional<Vec2> {
+    for (int k = 0; k < newton_steps; ++k) {
+      if (distance(q, function.goal()) < 1e-4 * outside.radius) return std::nullopt;
+      const Vec2 g = function.slope(q);
+      const SymmetricMatrix h = function.curvature(q);
+      const double det = h.determinant();
+      if (det == 0.0 || !std::isfinite(det)) return std::nullopt;
+      Vec2 step{(h.xy * g.y - h.yy * g.x) / det, (h.xy * g.x - h.xx * g.y) / det};
+      if (const double far = norm(step); far > longest) step = (longest / far) * step;
+      Vec2 next = q + step;
+      for (int halves = 0; !function.is_free(next) && halves < 30; ++halves) next = q + (step = 0.5 * step);
+      if (!function.is_free(next)) return std::nullopt;
+      q = next;
+      if (norm(step) < 1e-13 * outside.radius) return q;
+    }
+    return norm(function.slope(q)) * outside.radius < 1e-7 ? std::optional{q} : std::nullopt;
+  };
+  for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < side; ++i) {
+      const Vec2 q = outside.centre + outside.radius * Vec2{2.0 * (i + 0.5) / side - 1.0, 2.0 * (j + 0.5) / side - 1.0};
+      if (!function.is_free(q)) continue;
+      const auto at = from(q);
+      if (!at || std::any_of(found.begin(), found.end(), [&](const CriticalPoint& c) { return distance(c.at, *at) < same; })) continue;
+      const SymmetricMatrix h = function.curvature(*at);
+      found.push_back({*at, h.determinant() > 0.0 && h.xx > 0.0});
+    }
+  }
+  std::sort(found.begin(), found.end(), [](const CriticalPoint& a, const CriticalPoint& b) { return a.at.x != b.at.x ? a.at.x < b.at.x : a.at.y < b.at.y; });
+  return found;
+}
+
+ChosenKappa choose_kappa(const SphereWorld& world, Vec2 goal) {
+  ChosenKappa chosen;
+  for (double kappa = least_kappa; kappa <= most_kappa; kappa += kappa_step) {
+    chosen = {kappa, false, critical_points({world, goal, kappa})};
+    const bool has_minimum = std::any_of(chosen.points.begin(), chosen.points.end(), [](const CriticalPoint& c) { return c.is_minimum; });
+    chosen.is_shown = !has_minimum && chosen.points.size() == world.obstacles.size();
+    if (chosen.is_shown) return chosen;
+  }
+  return chosen;
+}
+
+}  // namespace waywright

@@ -1,0 +1,78 @@
+// A world of discs, and the navigation function on it.
+//
+// Source: the navigation-field publication, (4.1)–(4.9) with its gradient corrected; E. Rimon, D. E. Koditschek: Exact robot navigation using artificial potential
+// functions, IEEE T-RA 8 (1992).
+#pragma once
+
+#include <vector>
+
+#include "waywright/core/pose.hpp"
+
+namespace waywright {
+
+struct Disc {
+  Vec2 centre{};
+  double radius = 0.0;  ///< m, > 0
+};
+
+struct SphereWorld {
+  Disc outside;                ///< what is free lies within
+  std::vector<Disc> obstacles; ///< apart from each other and from the outer disc's rim
+};
+
+struct SymmetricMatrix {
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  double determinant() const { return xx * yy - xy * xy; }
+};
+
+/// φ = d² / (d^2κ + β)^(1/κ) with d the distance to the goal and β = β₀·β₁ … βₙ, in the unit of the outer disc's radius. All is found from its logarithm
+/// f = κ·ln d² − ln β, of which φ^κ = 1/(1 + e^−f) rises evenly: no product is formed, nothing over- or underflows whatever κ and however many obstacles.
+///
+/// Laws: φ is 0 at the goal, 1 on every rim and between in the free space; its critical points but the goal are those of f, with the same sign of curvature.
+class NavigationFunction {
+ public:
+  /// @pre κ > 0; the goal is free
+  NavigationFunction(const SphereWorld& world, Vec2 goal, double kappa) : world_{world}, goal_{goal}, kappa_{kappa} {}
+
+  double kappa() const { return kappa_; }
+  const SphereWorld& world() const { return world_; }
+  Vec2 goal() const { return goal_; }
+
+  /// Inside the outer disc and outside of all others.
+  bool is_free(Vec2 q) const;
+  /// m, to the nearest rim; negative beyond it.
+  double distance_to_rim(Vec2 q) const;
+
+  /// Of f, at a free place that is not the goal. 1/m; 1/m².
+  Vec2 slope(Vec2 q) const;
+  SymmetricMatrix curvature(Vec2 q) const;
+  /// φ in [0, 1]; 1 where it is not free.
+  double value(Vec2 q) const;
+  /// ∇φ, 1/m; 0 at the goal and where it is not free.
+  Vec2 gradient(Vec2 q) const;
+
+ private:
+  double log_of(Vec2 q) const;  ///< f
+
+  SphereWorld world_;
+  Vec2 goal_;
+  double kappa_;
+};
+
+struct CriticalPoint {
+  Vec2 at{};
+  bool is_minimum = false;  ///< else a saddle or a maximum
+};
+
+/// All critical points of a navigation function but the goal that Newton's method finds from `side` × `side` starts, in the order of x.
+std::vector<CriticalPoint> critical_points(const NavigationFunction& function, int side = 48);
+
+/// The least κ of 2, 2.5, 3 … 20 with as many saddles as obstacles and no minimum but the goal; 20 where none has. (The number is not monotone: 4 may do and 5 not.)
+struct ChosenKappa {
+  double kappa = 0.0;
+  bool is_shown = false;  ///< as many saddles as obstacles, no other minimum
+  std::vector<CriticalPoint> points;
+};
+ChosenKappa choose_kappa(const SphereWorld& world, Vec2 goal);
+
+}  // namespace waywright
