@@ -286,7 +286,8 @@ class Motion {
   }
 
   /// Upper bound on the way of the curve, were all its spans as fast as the fastest; m
-  double longest() const {
+  double longest() const { return longest_way() + (piece_.heading ? radius_ * std::abs(piece_.heading->turn) : 0.0); }
+  double longest_way() const {
     if (const auto* line = std::get_if<waywright::Line>(&piece_.curve)) return span(line->from, line->to);
     if (const auto* arc = std::get_if<Arc>(&piece_.curve)) return arc->length;
     if (const auto* clothoid = std::get_if<Clothoid>(&piece_.curve)) return clothoid->length;
@@ -312,7 +313,9 @@ class Motion {
   static double span(Vec2 a, Vec2 b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
   Pose at(double u) const {
-    return std::visit([&](const auto& curve) { return pose_of(curve, u); }, piece_.curve);
+    Pose pose = std::visit([&](const auto& curve) { return pose_of(curve, u); }, piece_.curve);
+    if (piece_.heading) pose.heading = piece_.heading->from + u * piece_.heading->turn;  // of lines and arcs u is a share of their length
+    return pose;
   }
 
   Pose facing(double x, double y, double course) const {

@@ -15,6 +15,12 @@ inline Vehicle forklift() {
   return v;
 }
 
+inline Vehicle mecanum_base() {
+  Vehicle v;
+  v.drive = Mecanum{0.05, 0.24, 0.15};
+  return v;
+}
+
 /// An L: not convex, so that the proof has to work on parts.
 inline Ring l_shape() { return {{-1.5, -0.6}, {0.8, -0.6}, {0.8, 0.0}, {-0.5, 0.0}, {-0.5, 0.6}, {-1.5, 0.6}}; }
 
@@ -66,6 +72,24 @@ inline Path random_path(Random& random) {
   return path;
 }
 
+/// Lines and arcs in a row, the vehicle's heading going its own way along them; corners between some.
+inline Path random_sliding_path(Random& random) {
+  Path path;
+  Pose at{random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-pi, pi)};
+  double heading = random.uniform(-pi, pi);
+  for (int i = 0; i < 3; ++i) {
+    if (random.uniform() < 0.3) at.heading = random.uniform(-pi, pi);
+    const double length = random.uniform(0.2, 3.0), turn = random.uniform() < 0.3 ? 0.0 : random.uniform(-6.0 * pi, 6.0 * pi) * random.uniform();
+    Piece piece{Line{at.position(), at.position() + length * unit(at.heading)}, 1, HeadingAlong{heading, turn}};
+    if (random.uniform() < 0.6) piece.curve = Arc{at, random.uniform(-1.5, 1.5), length};
+    path.pieces.push_back(piece);
+    heading = wrap(heading + turn);
+    const Pose end = end_pose(Piece{piece.curve, 1, {}});  // facing along, for the course
+    at = make_pose(end.position(), end.heading);
+  }
+  return path;
+}
+
 inline Footprint random_footprint(Random& random) {
   Footprint footprint;
   const double kind = random.uniform();
@@ -75,10 +99,10 @@ inline Footprint random_footprint(Random& random) {
   return footprint;
 }
 
-inline Problem problem_for(const Map& map, const Path& path, const Footprint& footprint) {
+inline Problem problem_for(const Map& map, const Path& path, const Footprint& footprint, Vehicle vehicle = forklift()) {
   Scenario s;
   s.map = map;
-  s.vehicle = forklift();
+  s.vehicle = std::move(vehicle);
   s.vehicle.footprint = footprint;
   s.start = start_pose(path);
   s.mission = end_pose(path);

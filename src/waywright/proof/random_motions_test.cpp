@@ -71,6 +71,30 @@ TEST(RandomMotions, AFewOfThem) {
   report(tally);
 }
 
+// A vehicle that moves any way: headings of their own along lines and arcs, turning by up to three times around.
+TEST(RandomMotions, HeadingsOfTheirOwn) {
+  Random random{1234};
+  int free = 0, cautious = 0, low = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const Map map = random_map(random, {static_cast<int>(random.integer(0, 6)), static_cast<int>(random.integer(0, 10)), 1, 1});
+    const Path path = random_sliding_path(random);
+    const Footprint footprint = random_footprint(random);
+    const Problem problem = problem_for(map, path, footprint, mecanum_base());
+    const Proof proof = prove(problem, path);
+    for (const Violation& v : proof.violations) EXPECT_TRUE(v.sentence.find("touch") != std::string::npos || v.sentence.find("within the pose error") != std::string::npos) << i << ": " << v.sentence;
+    const double truth = oracle_refined_clearance(map, footprint, path, 0.1, fine);
+    const Certificate& c = proof.certificate;
+    ASSERT_LE(c.clearance, truth + 1e-9) << i;
+    ASSERT_TRUE(truth > 0.0 || !c.collision_free) << i;
+    free += truth > 0.0 ? 1 : 0;
+    cautious += truth > c.tolerance && !c.collision_free ? 1 : 0;
+    low += c.collision_free && c.clearance < truth - c.tolerance - fine ? 1 : 0;
+  }
+  EXPECT_GT(free, 300);
+  EXPECT_LE(cautious, 1);
+  EXPECT_LE(low, 2);
+}
+
 // The measure itself, against dense sampling.
 TEST(RandomMotions, TheMeasureFindsWhatDenseSamplingFinds) {
   Random random{77};

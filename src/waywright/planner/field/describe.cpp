@@ -41,7 +41,7 @@ PlannerDescription potential_description() {
 PlannerDescription navigation_description() {
   const FieldPlannerOptions defaults;
   return described("navigation_function", "down the navigation function of a world whose obstacles fit into discs apart from each other, as published",
-                   {{.name = "kappa", .default_value = 0.0, .summary = "0: the least that is shown to leave no minimum but the goal", .low = 0, .high = 200},
+                   {{.name = "kappa", .default_value = 0.0, .summary = "0: of the whole numbers to 20 that are shown to leave no minimum but the goal, that of the shortest way", .low = 0, .high = 200},
                     {.name = "step", .default_value = defaults.step, .summary = "length of a step, in radii of the outer disc", .low = 1e-6, .high = 0.1}},
                    [](const Parameters& p) {
                      FieldPlannerOptions o;

@@ -23,6 +23,7 @@ using grid::place;
 constexpr double thinning = 0.002;        // m
 constexpr double rim_share = 0.2;         // of the distance to the nearest rim, that a step is long at most
 constexpr double shortest_step = 1e-6;    // of the outer disc's radius
+constexpr double usual_kappa = 8.0;       // the reconstruction's
 constexpr int region_points = 24;         // a side, that are looked at in a region for one where the disc can stand
 
 /// Where in the goal's area the way is to end: as near to the start as the disc can stand.
@@ -97,38 +98,7 @@ class FieldPlanner::Ready {
         budget.count_evaluations();
         return tl::unexpected{failure(Status::no_path, "a navigation function on a world of discs needs each obstacle in a disc apart from the others: " + covering.error())};
       }
-      double kappa = options.kappa;
-      if (kappa == 0.0) {
-        const ChosenKappa chosen = choose_kappa(covering->world, goal->at);
-        kappa = chosen.kappa;
-        text.push_back(chosen.is_shown ? fmt::format("κ = {:g} is the least of those looked at whose navigation function has as many saddles as there are discs, {}, and no minimum but the goal.", kappa,
-                                                     covering->world.obstacles.size())
-                                       : fmt::format("No κ up to {:g} was shown to leave no minimum but the goal.", kappa));
-      } else {
-        const std::vector<CriticalPoint> points = critical_points({covering->world, goal->at, kappa});
-        for (const CriticalPoint& c : points) {
-          if (c.is_minimum) text.push_back(fmt::format("With κ = {:g} there is another minimum than the goal, at {}.", kappa, place(c.at)));
-        }
-      }
-      const NavigationFunction function{covering->world, goal->at, kappa};
-      const double radius = covering->world.outside.radius;
-      DescentOptions follow = options.descent;
-      follow.period = 1.0;
-      follow.speed = options.step * radius;
-      follow.goal_tolerance = 2.0 * follow.speed;
-      follow.patience = std::numeric_limits<int>::max();
-      follow.may_creep = true;
-      const auto down = [&](Vec2 q) -> std::optional<FieldStep> {
-        const double rim = function.distance_to_rim(q);
-        if (!(rim > 0.0)) return std::nullopt;
-        const Vec2 slope = function.slope(q);
-        const double steep = norm(slope);
-        if (!(steep > 0.0)) return FieldStep{};
-        return FieldStep{(-std::clamp(rim_share * rim, shortest_step * radius, follow.speed) / steep) * slope, 0.0};
-      };
-      descent = descend(down, start->at, goal->at, follow, most, budget);
-      text.push_back(fmt::format("Down the navigation function of κ = {:g} on the disc of {:.3f} m around ({:.3f}, {:.3f}) with {} in it: {}.", kappa, radius, covering->world.outside.centre.x,
-                                 covering->world.outside.centre.y, counted(static_cast<std::int64_t>(covering->world.obstacles.size()), "disc"), counted(descent.steps, "step")));
+      descent = down_navigation_function(options, covering->world, start->at, goal->at, most, text, budget);
     }
     if (descent.ended != DescentEnd::goal) return tl::unexpected{trapped(descent, goal->at, std::move(text), name, budget)};
     descent.points.push_back(goal->at);
@@ -136,6 +106,83 @@ class FieldPlanner::Ready {
   }
 
  private:
+  /// With the κ that is told; else with each that is shown to do, and the shortest way is taken.
+  static Descent down_navigation_function(const FieldPlannerOptions& options, const SphereWorld& world, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, Budget& budget) {
+    std::vector<double> kappas{options.kappa};
+    if (options.kappa == 0.0) {
+      kappas = kappas_that_lead_to_goal(world, goal);
+      if (kappas.empty()) {
+        kappas = {usual_kappa};
+        text.push_back(fmt::format("No whole κ from 2 to 20 was shown to leave no minimum but the goal; {:g} is tried.", usual_kappa));
+      }
+    }
+    std::optional<Descent> best;
+    double best_kappa = 0.0, best_length = std::numeric_limits<double>::infinity();
+    for (const double kappa : kappas) {
+      Descent descent = follow({world, goal, kappa}, start, options, most, budget);
+      const double metres = descent.ended == DescentEnd::goal ? length_of_way(descent.points) : std::numeric_limits<double>::infinity();
+      if (!best || metres < best_length) {
+        best = std::move(descent);
+        best_kappa = kappa;
+        best_length = metres;
+      }
+      if (best->ended == DescentEnd::canceled || budget.exhausted()) break;
+    }
+    const auto discs = static_cast<std::int64_t>(world.obstacles.size());
+    text.push_back(fmt::format("Down the navigation function of κ = {:g} on the disc of {:.3f} m around ({:.3f}, {:.3f}) with {} in it: {}.", best_kappa, world.outside.radius,
+                               world.outside.centre.x, world.outside.centre.y, counted(discs, "disc"), counted(best->steps, "step")));
+    const std::vector<CriticalPoint> points = critical_points({world, goal, best_kappa});
+    if (leads_to_goal(points, world)) {
+      text.push_back(fmt::format("It has no minimum but the goal: Newton's method finds {}, one for each disc, and nothing else.{}", counted(static_cast<std::int64_t>(points.size()), "saddle"),
+                                 kappas.size() > 1 ? fmt::format(" So have {} others of the whole κ up to 20; this one's way is the shortest.", kappas.size() - 1) : std::string{}));
+    } else {
+      for (const CriticalPoint& c : points) {
+        if (c.is_minimum) text.push_back(fmt::format("With κ = {:g} there is another minimum than the goal, at {}.", best_kappa, place(c.at)));
+      }
+    }
+    return *best;
+  }
+
+  /// Down the slope by steps of one length, shorter near rims. Who runs into a saddle leaves it to a side.
+  static Descent follow(const NavigationFunction& function, Vec2 start, const FieldPlannerOptions& options, std::int64_t most, Budget& budget) {
+    const double radius = function.world().outside.radius;
+    DescentOptions steps = options.descent;
+    steps.period = 1.0;
+    steps.speed = options.step * radius;
+    steps.goal_tolerance = 2.0 * steps.speed;
+    steps.trapped_within = 10.0 * steps.speed;
+    steps.patience = std::numeric_limits<int>::max();
+    steps.may_creep = true;
+    const auto down = [&](Vec2 q) -> std::optional<FieldStep> {
+      const double rim = function.distance_to_rim(q);
+      if (!(rim > 0.0)) return std::nullopt;
+      const Vec2 slope = function.slope(q);
+      const double steep = norm(slope);
+      if (!(steep > 0.0)) return FieldStep{};
+      return FieldStep{(-std::clamp(rim_share * rim, shortest_step * radius, steps.speed) / steep) * slope, 0.0};
+    };
+    Descent all;
+    all.points = {start};
+    all.last = start;
+    for (std::size_t saddles = 0;; ++saddles) {
+      Descent next = descend(down, all.last, function.goal(), steps, most - all.steps, budget);
+      all.ended = next.ended;
+      all.last = next.last;
+      all.steps += next.steps;
+      all.points.insert(all.points.end(), next.points.begin() + 1, next.points.end());
+      const bool is_stuck = next.ended == DescentEnd::local_minimum || next.ended == DescentEnd::oscillation;
+      if (!is_stuck) return all;
+      all.ended = DescentEnd::local_minimum;  // steps of one length do not rest in it
+      const auto aside = way_off(function.curvature(all.last));
+      if (!aside || saddles > function.world().obstacles.size()) return all;
+      // The steps about the saddle are left out, with the way to it alone.
+      while (all.points.size() > 1 && distance(all.points.back(), all.last) < steps.trapped_within) all.points.pop_back();
+      const Vec2 off = std::min(2.0 * steps.trapped_within, 0.5 * function.distance_to_rim(all.last)) * *aside;
+      all.last = all.last + off;
+      all.points.push_back(all.last);
+    }
+  }
+
   PlanningFailure stopped(const Budget& budget, std::int64_t steps) const {
     if (budget.canceled()) return failure(Status::canceled, fmt::format("canceled after {}", counted(steps, "step")));
     return failure(Status::timed_out, fmt::format("the {:g} s of its budget were over after {}", budget.limits().seconds.value_or(0.0), counted(steps, "step")));

@@ -18,7 +18,7 @@ struct FieldPlannerOptions {
   FieldMethod method = FieldMethod::potential;
   PotentialOptions potential{};
   DescentOptions descent{};
-  double kappa = 0.0;   ///< of the navigation function; 0: the least that is shown to do
+  double kappa = 0.0;   ///< of the navigation function; 0: of those that are shown to lead to the goal that of the shortest way
   double step = 0.002;  ///< of its steps, in radii of the outer disc
   std::int64_t steps = 200'000;  ///< at most
 };

@@ -8,7 +8,7 @@
 namespace waywright {
 namespace {
 
-constexpr double least_kappa = 2.0, most_kappa = 20.0, kappa_step = 0.5;
+constexpr int least_kappa = 2, most_kappa = 20;
 constexpr int newton_steps = 60;
 
 }  // namespace
@@ -112,15 +112,27 @@ std::vector<CriticalPoint> critical_points(const NavigationFunction& function, i
   return found;
 }
 
-ChosenKappa choose_kappa(const SphereWorld& world, Vec2 goal) {
-  ChosenKappa chosen;
-  for (double kappa = least_kappa; kappa <= most_kappa; kappa += kappa_step) {
-    chosen = {kappa, false, critical_points({world, goal, kappa})};
-    const bool has_minimum = std::any_of(chosen.points.begin(), chosen.points.end(), [](const CriticalPoint& c) { return c.is_minimum; });
-    chosen.is_shown = !has_minimum && chosen.points.size() == world.obstacles.size();
-    if (chosen.is_shown) return chosen;
+bool leads_to_goal(const std::vector<CriticalPoint>& points, const SphereWorld& world) {
+  return points.size() == world.obstacles.size() && std::none_of(points.begin(), points.end(), [](const CriticalPoint& c) { return c.is_minimum; });
+}
+
+std::vector<double> kappas_that_lead_to_goal(const SphereWorld& world, Vec2 goal) {
+  std::vector<double> all;
+  for (int kappa = least_kappa; kappa <= most_kappa; ++kappa) {
+    if (leads_to_goal(critical_points({world, goal, static_cast<double>(kappa)}), world)) all.push_back(kappa);
   }
-  return chosen;
+  return all;
+}
+
+std::optional<Vec2> way_off(const SymmetricMatrix& m) {
+  const double middle = 0.5 * (m.xx + m.yy), half = 0.5 * (m.xx - m.yy);
+  const double least = middle - std::sqrt(half * half + m.xy * m.xy);
+  if (!(least < 0.0)) return std::nullopt;
+  // Of the two rows of M − least·I the longer one; the vector is across it.
+  const Vec2 first{m.xx - least, m.xy}, second{m.xy, m.yy - least};
+  const Vec2 row = squared_norm(first) > squared_norm(second) ? first : second;
+  if (row == Vec2{}) return Vec2{1.0, 0.0};
+  return (1.0 / norm(row)) * left_of(row);
 }
 
 }  // namespace waywright

@@ -1,0 +1,143 @@
+// The worlds of the publication with the results of its reconstruction, for a point; and with a mecanum base.
+#include "waywright/planner/field/field_planner.hpp"
+
+#include <gtest/gtest.h>
+
+#include "waywright/judge/judge.hpp"
+#include "waywright/map/field_worlds.hpp"
+#include "waywright/proof/proof.hpp"
+
+namespace waywright {
+namespace {
+
+Scenario scenario(const std::string& name, std::size_t task, double scale = 1.0) {
+  FieldWorld world = field_world(name).value();
+  Scenario s;
+  s.map = std::move(world.map);
+  for (auto* rings : {&s.map.boundaries, &s.map.obstacles}) {
+    for (Ring& ring : *rings) {
+      for (Vec2& p : ring) p = scale * p;
+    }
+  }
+  s.vehicle.footprint.disc = 0.0;
+  s.vehicle.drive = Mecanum{0.05, 0.24, 0.15};
+  s.start = make_pose(scale * world.tasks[task].start, 0.0);
+  s.mission = make_pose(scale * world.tasks[task].goal, 0.0);
+  return s;
+}
+
+FieldPlannerOptions potential(double repulsion) {
+  FieldPlannerOptions o;
+  o.potential.repulsion = repulsion;
+  o.potential.repels_walls = false;
+  return o;
+}
+FieldPlannerOptions navigation(double kappa) {
+  FieldPlannerOptions o;
+  o.method = FieldMethod::navigation;
+  o.kappa = kappa;
+  return o;
+}
+
+struct Driven {
+  double length = 0.0, clearance = 0.0;
+};
+/// Planned and proven.
+std::optional<Driven> driven(Scenario s, const FieldPlannerOptions& options, std::string* why = nullptr, std::optional<Pose>* where = nullptr) {
+  const Problem problem = Problem::prepare(std::move(s)).value();
+  Budget budget;
+  const PlanningResult result = FieldPlanner{"field", options}.plan(problem, budget);
+  if (!result) {
+    if (why != nullptr) *why = result.error().failure.reason;
+    if (where != nullptr) *where = result.error().failure.pose;
+    return std::nullopt;
+  }
+  const Proof proof = prove(problem, result->path);
+  EXPECT_TRUE(proof.holds()) << (proof.violations.empty() ? "" : proof.violations.front().sentence);
+  return Driven{length(result->path), proof.certificate.clearance};
+}
+
+void expect_trap(Scenario s, const FieldPlannerOptions& options, Vec2 at, double off) {
+  std::string why;
+  std::optional<Pose> where;
+  EXPECT_FALSE(driven(std::move(s), options, &why, &where));
+  EXPECT_NE(why.find("local minimum"), std::string::npos) << why;
+  ASSERT_TRUE(where);
+  EXPECT_LT(distance(where->position(), at), off) << where->x << ", " << where->y;
+}
+
+// The way to the goal's very middle is counted here; the reconstruction stops 0.05 m before it.
+TEST(PotentialFieldPlanner, DrivesTheReconstructionsWays) {
+  const auto one = driven(scenario("APF-1", 0), potential(0.1));
+  ASSERT_TRUE(one);
+  EXPECT_NEAR(one->length, 12.72 + 0.05, 0.03);
+  EXPECT_NEAR(one->clearance, 0.377, 0.003);
+  const auto over = driven(scenario("APF-2", 1), potential(0.1)), under = driven(scenario("APF-2", 2), potential(0.1));
+  ASSERT_TRUE(over && under);
+  EXPECT_NEAR(over->length, 7.57 + 0.05, 0.03);
+  EXPECT_NEAR(over->clearance, 0.486, 0.003);
+  EXPECT_NEAR(under->length, 7.97 + 0.05, 0.03);
+  EXPECT_NEAR(under->clearance, 0.502, 0.003);
+  EXPECT_TRUE(driven(scenario("NF-TWO", 0), potential(0.02)));  // whether it is a trap hangs on the weights
+}
+
+TEST(PotentialFieldPlanner, TellsTrapsAsTraps) {
+  expect_trap(scenario("APF-1", 0), potential(0.05), {7.60, 6.56}, 0.03);
+  expect_trap(scenario("APF-2", 0), potential(0.1), {4.62, 5.00}, 0.02);
+  expect_trap(scenario("NF-TWO", 0), potential(0.1), {-0.609, 0.0}, 0.02);
+  expect_trap(scenario("NF-TWO", 1), potential(0.1), {-0.609, 0.0}, 0.03);
+}
+
+TEST(NavigationFunctionPlanner, DrivesTheReconstructionsWays) {
+  struct Case {
+    const char* world;
+    std::size_t task;
+    double kappa, length, clearance;
+  };
+  for (const Case& c : {Case{"NF-TWO", 0, 8, 5.98, 0.200}, Case{"NF-TWO", 1, 8, 6.02, 0.200}, Case{"NF-S3", 0, 8, 8.68, 0.219}, Case{"NF-S3", 0, 10, 8.64, 0.176}, Case{"NF-S3", 1, 4, 4.66, 0.668}}) {
+    const auto found = driven(scenario(c.world, c.task), navigation(c.kappa));
+    ASSERT_TRUE(found) << c.world << c.kappa;
+    EXPECT_NEAR(found->length, c.length + 0.02, 0.02) << c.world << c.kappa;
+    EXPECT_NEAR(found->clearance, c.clearance, 0.004) << c.world << c.kappa;
+  }
+}
+
+TEST(NavigationFunctionPlanner, PassesTheTrapOfThePotentialField) {
+  EXPECT_FALSE(driven(scenario("NF-TWO", 0), potential(0.1)));
+  EXPECT_TRUE(driven(scenario("NF-TWO", 0), navigation(0.0)));
+}
+
+// A start on the axis runs into the saddle between the discs: whoever stands there leaves it sideways.
+TEST(NavigationFunctionPlanner, LeavesASaddleThatItRanInto) {
+  for (const double kappa : {3.0, 4.0}) EXPECT_TRUE(driven(scenario("NF-TWO", 0), navigation(kappa))) << kappa;
+}
+
+TEST(NavigationFunctionPlanner, AnotherMinimumThanTheGoalIsTold) {
+  std::string why;
+  std::optional<Pose> where;
+  EXPECT_FALSE(driven(scenario("NF-TWO", 0), navigation(5.0), &why, &where));
+  EXPECT_NE(why.find("local minimum"), std::string::npos) << why;
+  ASSERT_TRUE(where);
+  EXPECT_LT(distance(where->position(), {-1.475, 0.0}), 0.02);
+}
+
+TEST(NavigationFunctionPlanner, SaysWhatDoesNotFitIntoDiscs) {
+  std::string why;
+  EXPECT_FALSE(driven(scenario("APF-2", 0), navigation(0.0), &why));
+  EXPECT_NE(why.find("meet"), std::string::npos) << why;
+}
+
+// Worlds ten times as large, with a base of 0.58 × 0.38 m that keeps its heading or turns while it drives.
+TEST(FieldPlanners, DriveAMecanumBaseThroughScaledWorlds) {
+  for (const double end : {0.0, 2.0}) {
+    Scenario s = scenario("NF-S3", 0, 10.0);
+    s.vehicle.footprint = {rectangle({-0.29, -0.19}, {0.29, 0.19}), 0.0};
+    std::get<Pose>(s.mission).heading = end;
+    const auto found = driven(std::move(s), navigation(8.0));
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->length, 86.9, 1.5);
+  }
+}
+
+}  // namespace
+}  // namespace waywright
