@@ -1,0 +1,151 @@
+#include "waywright/planner/field/wavefront_planner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "waywright/planner/field/wavefront.hpp"
+#include "waywright/planner/grid/connection.hpp"
+#include "waywright/planner/grid/disc_graph.hpp"
+#include "waywright/planner/grid/free_goal.hpp"
+#include "waywright/planner/grid/grid_words.hpp"
+#include "waywright/planner/grid/motion_check.hpp"
+#include "waywright/planner/plane/plane_ends.hpp"
+#include "waywright/planner/roadmap/least_length.hpp"
+#include "waywright/scenario/parameter_values.hpp"
+
+namespace waywright {
+
+using grid::counted;
+using grid::failure;
+
+class WavefrontPlanner::Ready {
+ public:
+  Ready(const Problem& problem, const WavefrontOptions& options) : space_{problem} {
+    if (!problem.vehicle().can_turn_on_the_spot()) return;
+    auto frame = make_grid_frame(problem, options.resolution);
+    if (!frame) {
+      refused_ = frame.error();
+      return;
+    }
+    frame_ = *frame;
+    graph_ = disc_graph(frame_, CellBounds{problem, frame_}, options.neighbours, space_.needed());
+  }
+  Ready(const Ready&) = delete;
+  Ready& operator=(const Ready&) = delete;
+
+  bool is_for(const Problem& problem) const { return &problem == &space_.problem(); }
+
+  PlanningResult plan(const WavefrontOptions& options, Budget& budget) const {
+    const Problem& problem = space_.problem();
+    if (auto reason = nothing_to_plan(problem, "wavefront")) return tl::unexpected{failure(Status::no_path, std::move(*reason))};
+    if (!refused_.empty()) return tl::unexpected{failure(Status::no_path, refused_)};
+    if (budget.exhausted()) return tl::unexpected{grid::nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, 0, budget, 0.0, "")};
+    budget.count_evaluations();
+    const auto start = plane_start(space_);
+    const bool is_region = problem.free_goal() != nullptr && !problem.free_goal()->is_point();
+    const auto goal = is_region ? std::optional<PlaneEnd>{PlaneEnd{}} : plane_goal(space_);
+    if (!start || !goal) return tl::unexpected{no_room(space_, !start)};
+    const Footprint disc{{}, space_.disc()};
+    MotionCheck test{problem, disc};
+    const auto from = disc_connections(problem, frame_, start->at, true, test);
+    std::vector<Cell> goals;
+    if (is_region) {
+      goals = region_cells(problem, frame_);
+      std::erase_if(goals, [&](Cell c) { return !space_.is_free(frame_.centre(c)); });
+    } else if (const auto ends = disc_connections(problem, frame_, goal->at, false, test); !ends.empty()) {
+      goals = {std::min_element(ends.begin(), ends.end(), [](const DiscConnection& a, const DiscConnection& b) { return a.cost < b.cost; })->cell};
+    }
+    if (from.empty() || goals.empty()) {
+      return tl::unexpected{failure(Status::no_path, fmt::format("{} is no cell of {:g} m with its middle free around it; try a finer resolution", from.empty() ? "at the start there" : "at the goal there", frame_.cell),
+                                    from.empty() ? problem.start() : problem.goal())};
+    }
+    const auto is_free = [&](Cell c, int move) {
+      const Move m = moves[static_cast<std::size_t>(move)];
+      return space_.is_free(frame_.centre(c), frame_.centre({c.column + m.column, c.row + m.row}));
+    };
+    const Wavefront front = wavefront(graph_, goals, is_free, [&] { return budget.exhausted(); });
+    budget.count_expansions(front.reached);
+    if (front.is_stopped) {
+      return tl::unexpected{grid::nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, front.reached, budget, frame_.cell, "")};
+    }
+    const auto value = [&](const DiscConnection& c) { return front.values[graph_.index(c.cell)]; };
+    std::optional<DiscConnection> first;
+    for (const DiscConnection& c : from) {
+      if (value(c) != 0 && (!first || value(c) < value(*first))) first = c;
+    }
+    if (!first) {
+      std::string reason = fmt::format("the wave from the goal came through {} of {:g} m and did not reach the start, for {} of {:.3f} m that keeps {:.3f} m", counted(front.reached, "cell"), frame_.cell,
+                                       problem.footprint().is_disc() ? "a disc" : "the disc around the footprint,", space_.disc(), problem.required_clearance());
+      if (const std::string more = unreachable_sentence(least_length(space_, budget), problem); !more.empty()) reason += "; " + more;
+      return tl::unexpected{failure(Status::no_path, std::move(reason))};
+    }
+    const auto clearance = [&](Cell c) { return space_.at_least(frame_.centre(c)); };
+    const std::vector<Cell> cells = way_down(front, graph_, first->cell, is_free, options.keeps_away ? std::function<double(Cell)>{clearance} : std::function<double(Cell)>{});
+    return explained(options, front, cells, value(*first), *start, *goal, is_region, budget);
+  }
+
+ private:
+  PlanningResult explained(const WavefrontOptions& options, const Wavefront& front, const std::vector<Cell>& cells, std::uint32_t value, const PlaneEnd& start, const PlaneEnd& goal, bool is_region,
+                           Budget& budget) const {
+    std::vector<Vec2> points{start.at};
+    for (const Cell c : cells) points.push_back(frame_.centre(c));
+    if (!is_region) points.push_back(goal.at);
+    Planned planned;
+    std::vector<std::string>& text = planned.explanation;
+    text.push_back(fmt::format("The wave from the goal came through {} of {:g} m; the start's has the value {}, so that {} lead down, with {} neighbours. It counts moves, a diagonal one like a straight one{}.",
+                               counted(front.reached, "cell"), frame_.cell, value, counted(static_cast<std::int64_t>(value - Wavefront::goal_value), "move"), static_cast<int>(options.neighbours),
+                               options.keeps_away ? "; of moves that lead down alike the one farthest from obstacles was taken" : ""));
+    if (options.shortens) {
+      const double before = length_of_way(points);
+      points = taut_way(std::move(points), space_);
+      if (const double after = length_of_way(points); after < before) text.push_back(fmt::format("Corners past which their neighbours see each other were left out: {:.3f} m instead of {:.3f} m.", after, before));
+    }
+    planned.path = plane_path(space_, start, points, goal);
+    if (planned.path.pieces.empty()) return tl::unexpected{failure(Status::no_path, "start and goal are the same place, there is nothing to drive")};
+    if (start.run != 0 || goal.run != 0) text.push_back(run_sentence(space_, start, goal));
+    text.push_back(driving_sentence(space_.problem(), planned.path));
+    if (std::string bound = bound_sentence(least_length(space_, budget), length(planned.path)); !bound.empty()) text.push_back(std::move(bound));
+    return planned;
+  }
+
+  PlaneSpace space_;
+  GridFrame frame_;
+  GridGraph graph_;
+  std::string refused_;
+};
+
+WavefrontPlanner WavefrontPlanner::prepared(const Problem& problem) const {
+  WavefrontPlanner planner = *this;
+  planner.ready_ = std::make_shared<const Ready>(problem, options_);
+  return planner;
+}
+
+PlanningResult WavefrontPlanner::plan(const Problem& problem, Budget& budget) const {
+  if (ready_ && ready_->is_for(problem)) return ready_->plan(options_, budget);
+  return Ready{problem, options_}.plan(options_, budget);
+}
+
+PlannerDescription wavefront_description() {
+  const WavefrontOptions defaults;
+  PlannerDescription d{"wavefront",
+                       "fewest moves between cells, down the wave from the goal; of a disc, or the disc around the footprint",
+                       {{.name = "resolution", .default_value = defaults.resolution, .summary = "of the cells; 0: the map's own, or 0.05 m", .unit = "m", .low = 0, .high = 100},
+                        {.name = "neighbours", .default_value = 8.0, .summary = "of a cell", .values = {4, 8}},
+                        {.name = "keeps_away", .default_value = defaults.keeps_away, .summary = "of moves that lead down alike the one farthest from obstacles; else the first, as published"},
+                        {.name = "shorten", .default_value = defaults.shortens, .summary = "leave out corners past which their neighbours see each other"}},
+                       [](const Parameters& p, std::uint64_t) -> AnyPlanner {
+                         WavefrontOptions o;
+                         o.resolution = number_of(p, "resolution");
+                         o.neighbours = static_cast<Neighbours>(static_cast<int>(number_of(p, "neighbours")));
+                         o.keeps_away = flag_of(p, "keeps_away");
+                         o.shortens = flag_of(p, "shorten");
+                         return WavefrontPlanner{o};
+                       }};
+  d.takes_free_goals = true;
+  d.turns_on_the_spot = true;
+  return d;
+}
+
+}  // namespace waywright
