@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 
 #include "waywright/planner/field/sphere_world_of.hpp"
+#include "waywright/planner/field/star_world_of.hpp"
 #include "waywright/planner/grid/grid_words.hpp"
 #include "waywright/planner/plane/plane_ends.hpp"
 #include "waywright/planner/plane/plane_target.hpp"
@@ -23,6 +26,7 @@ using grid::place;
 constexpr double thinning = 0.002;        // m
 constexpr double rim_share = 0.2;         // of the distance to the nearest rim, that a step is long at most
 constexpr double shortest_step = 1e-6;    // of the outer disc's radius
+constexpr double longer_allowed = 1.1;    // of a way that keeps farther away, over the shortest
 constexpr double usual_kappa = 8.0;       // the reconstruction's
 constexpr int region_points = 24;         // a side, that are looked at in a region for one where the disc can stand
 
@@ -92,6 +96,13 @@ class FieldPlanner::Ready {
       text.push_back(fmt::format("Down the potential of the goal's attraction ({:g}, conic from {:g} m) and the repulsion of what is nearer than {:g} m ({:g}): {} of at most {:g} m.",
                                  options.potential.attraction, options.potential.conic_from, options.potential.reach, options.potential.repulsion, counted(descent.steps, "step"),
                                  options.descent.speed * options.descent.period));
+    } else if (options.method == FieldMethod::star) {
+      const auto world = star_world(space_);
+      if (!world) {
+        budget.count_evaluations();
+        return tl::unexpected{failure(Status::no_path, "a world of stars needs obstacles that are each seen whole from a place in them, apart from each other: " + world.error())};
+      }
+      descent = down_star_navigation(options, *world, start->at, goal->at, most, text, budget);
     } else {
       const auto covering = covering_world(space_, start->at, goal->at);
       if (!covering) {
@@ -106,7 +117,7 @@ class FieldPlanner::Ready {
   }
 
  private:
-  /// With the κ that is told; else with each that is shown to do, and the shortest way is taken.
+  /// With the κ that is told; else with each that is shown to do.
   static Descent down_navigation_function(const FieldPlannerOptions& options, const SphereWorld& world, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, Budget& budget) {
     std::vector<double> kappas{options.kappa};
     if (options.kappa == 0.0) {
@@ -116,56 +127,86 @@ class FieldPlanner::Ready {
         text.push_back(fmt::format("No whole κ from 2 to 20 was shown to leave no minimum but the goal; {:g} is tried.", usual_kappa));
       }
     }
-    std::optional<Descent> best;
-    double best_kappa = 0.0, best_length = std::numeric_limits<double>::infinity();
-    for (const double kappa : kappas) {
-      Descent descent = follow({world, goal, kappa}, start, options, most, budget);
-      const double metres = descent.ended == DescentEnd::goal ? length_of_way(descent.points) : std::numeric_limits<double>::infinity();
-      if (!best || metres < best_length) {
-        best = std::move(descent);
-        best_kappa = kappa;
-        best_length = metres;
-      }
-      if (best->ended == DescentEnd::canceled || budget.exhausted()) break;
-    }
+    const Chosen chosen = best_of(kappas, [&](double kappa) { return follow({world, goal, kappa}, start, options, most, budget); }, [&](Vec2 q) { return NavigationFunction{world, goal, 1.0}.distance_to_rim(q); }, budget);
+    const double best_kappa = chosen.kappa;
+    const Descent& best = chosen.descent;
     const auto discs = static_cast<std::int64_t>(world.obstacles.size());
     text.push_back(fmt::format("Down the navigation function of κ = {:g} on the disc of {:.3f} m around ({:.3f}, {:.3f}) with {} in it: {}.", best_kappa, world.outside.radius,
-                               world.outside.centre.x, world.outside.centre.y, counted(discs, "disc"), counted(best->steps, "step")));
+                               world.outside.centre.x, world.outside.centre.y, counted(discs, "disc"), counted(best.steps, "step")));
     const std::vector<CriticalPoint> points = critical_points({world, goal, best_kappa});
     if (leads_to_goal(points, world)) {
       text.push_back(fmt::format("It has no minimum but the goal: Newton's method finds {}, one for each disc, and nothing else.{}", counted(static_cast<std::int64_t>(points.size()), "saddle"),
-                                 kappas.size() > 1 ? fmt::format(" So have {} others of the whole κ up to 20; this one's way is the shortest.", kappas.size() - 1) : std::string{}));
+                                 kappas.size() > 1 ? fmt::format(" So have {} others of the whole κ up to 20; of the ways at most a tenth longer than the shortest of theirs this one's keeps farthest away.", kappas.size() - 1) : std::string{}));
     } else {
       for (const CriticalPoint& c : points) {
         if (c.is_minimum) text.push_back(fmt::format("With κ = {:g} there is another minimum than the goal, at {}.", best_kappa, place(c.at)));
       }
     }
-    return *best;
+    return best;
   }
 
-  /// Down the slope by steps of one length, shorter near rims. Who runs into a saddle leaves it to a side.
-  static Descent follow(const NavigationFunction& function, Vec2 start, const FieldPlannerOptions& options, std::int64_t most, Budget& budget) {
-    const double radius = function.world().outside.radius;
+  struct Chosen {
+    Descent descent;
+    double kappa = 0.0;
+  };
+  /// Of the ways that are at most a tenth longer than the shortest the one that keeps farthest from all rims. Where none leads to the goal, the first.
+  static Chosen best_of(const std::vector<double>& kappas, const std::function<Descent(double)>& down, const std::function<double(Vec2)>& rim, Budget& budget) {
+    struct Tried {
+      Chosen chosen;
+      double length = std::numeric_limits<double>::infinity(), room = 0.0;
+    };
+    std::vector<Tried> all;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const double kappa : kappas) {
+      Tried tried{{down(kappa), kappa}};
+      if (tried.chosen.descent.ended == DescentEnd::goal) {
+        tried.length = length_of_way(tried.chosen.descent.points);
+        tried.room = std::numeric_limits<double>::infinity();
+        for (const Vec2 p : tried.chosen.descent.points) tried.room = std::min(tried.room, rim(p));
+        shortest = std::min(shortest, tried.length);
+      }
+      all.push_back(std::move(tried));
+      if (budget.exhausted()) break;
+    }
+    const Tried* best = &all.front();
+    for (const Tried& tried : all) {
+      if (std::isfinite(tried.length) && tried.length <= longer_allowed * shortest && (!(best->length <= longer_allowed * shortest) || tried.room > best->room)) best = &tried;
+    }
+    return best->chosen;
+  }
+
+  /// A field to be followed by steps of one length, shorter near rims.
+  struct Slope {
+    std::function<Vec2(Vec2)> slope;       ///< points uphill; of any length
+    std::function<double(Vec2)> rim;       ///< m, to the nearest rim
+    std::function<std::optional<Vec2>(Vec2)> off;  ///< from a saddle
+    Vec2 goal{};
+    double radius = 1.0;      ///< m, of the world: what steps are measured by
+    std::size_t saddles = 0;  ///< that there may be
+  };
+
+  /// Who runs into a saddle leaves it to a side.
+  static Descent follow(const Slope& field, Vec2 start, const FieldPlannerOptions& options, std::int64_t most, Budget& budget) {
     DescentOptions steps = options.descent;
     steps.period = 1.0;
-    steps.speed = options.step * radius;
+    steps.speed = options.step * field.radius;
     steps.goal_tolerance = 2.0 * steps.speed;
     steps.trapped_within = 10.0 * steps.speed;
     steps.patience = std::numeric_limits<int>::max();
     steps.may_creep = true;
     const auto down = [&](Vec2 q) -> std::optional<FieldStep> {
-      const double rim = function.distance_to_rim(q);
+      const double rim = field.rim(q);
       if (!(rim > 0.0)) return std::nullopt;
-      const Vec2 slope = function.slope(q);
+      const Vec2 slope = field.slope(q);
       const double steep = norm(slope);
-      if (!(steep > 0.0)) return FieldStep{};
-      return FieldStep{(-std::clamp(rim_share * rim, shortest_step * radius, steps.speed) / steep) * slope, 0.0};
+      if (!(steep > 0.0) || !std::isfinite(steep)) return FieldStep{};
+      return FieldStep{(-std::clamp(rim_share * rim, shortest_step * field.radius, steps.speed) / steep) * slope, 0.0};
     };
     Descent all;
     all.points = {start};
     all.last = start;
     for (std::size_t saddles = 0;; ++saddles) {
-      Descent next = descend(down, all.last, function.goal(), steps, most - all.steps, budget);
+      Descent next = descend(down, all.last, field.goal, steps, most - all.steps, budget);
       all.ended = next.ended;
       all.last = next.last;
       all.steps += next.steps;
@@ -173,14 +214,60 @@ class FieldPlanner::Ready {
       const bool is_stuck = next.ended == DescentEnd::local_minimum || next.ended == DescentEnd::oscillation;
       if (!is_stuck) return all;
       all.ended = DescentEnd::local_minimum;  // steps of one length do not rest in it
-      const auto aside = way_off(function.curvature(all.last));
-      if (!aside || saddles > function.world().obstacles.size()) return all;
+      const auto aside = field.off(all.last);
+      if (!aside || saddles > field.saddles) return all;
       // The steps about the saddle are left out, with the way to it alone.
       while (all.points.size() > 1 && distance(all.points.back(), all.last) < steps.trapped_within) all.points.pop_back();
-      const Vec2 off = std::min(2.0 * steps.trapped_within, 0.5 * function.distance_to_rim(all.last)) * *aside;
+      const Vec2 off = std::min(2.0 * steps.trapped_within, 0.5 * field.rim(all.last)) * *aside;
       all.last = all.last + off;
       all.points.push_back(all.last);
     }
+  }
+
+  static Descent follow(const NavigationFunction& function, Vec2 start, const FieldPlannerOptions& options, std::int64_t most, Budget& budget) {
+    return follow(Slope{[&](Vec2 q) { return function.slope(q); }, [&](Vec2 q) { return function.distance_to_rim(q); }, [&](Vec2 q) { return way_off(function.curvature(q)); }, function.goal(),
+                        function.world().outside.radius, function.world().obstacles.size()},
+                  start, options, most, budget);
+  }
+
+  /// λ is the least that does not fold the map, κ those that lead to the goal in the model.
+  Descent down_star_navigation(const FieldPlannerOptions& options, const StarWorld& world, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, Budget& budget) const {
+    double lambda = options.lambda;
+    if (lambda == 0.0) {
+      const ChosenLambda chosen = choose_lambda(world, goal);
+      lambda = chosen.lambda;
+      text.push_back(chosen.is_shown ? fmt::format("λ = {:g} is the least power of ten with which the map to a world of discs folds at none of 140 × 140 places.", lambda)
+                                     : fmt::format("With no λ up to {:g} the map to a world of discs was free of folds.", lambda));
+    }
+    const StarMap map{world, goal, lambda};
+    std::vector<double> kappas{options.kappa};
+    if (options.kappa == 0.0) {
+      kappas = kappas_that_lead_to_goal(map.model(), goal);
+      if (kappas.empty()) {
+        kappas = {usual_kappa};
+        text.push_back(fmt::format("No whole κ from 2 to 20 was shown to leave no minimum but the goal in the model; {:g} is tried.", usual_kappa));
+      }
+    }
+    const RimDistance rims{space_};
+    const auto down = [&](double kappa) {
+      const StarNavigation navigation{world, goal, lambda, kappa};
+      const auto off = [&](Vec2 q) { return saddle_direction(navigation, q); };
+      const Slope slope{[&](Vec2 q) { return navigation.slope(q); }, [&](Vec2 q) { return rims.at(q); }, off, goal, world.outside.greatest_rim(), world.obstacles.size()};
+      return follow(slope, start, options, most, budget);
+    };
+    const Chosen chosen = best_of(kappas, down, [&](Vec2 q) { return rims.at(q); }, budget);
+    const double best_kappa = chosen.kappa;
+    const Descent& best = chosen.descent;
+    text.push_back(fmt::format("Down the navigation function of κ = {:g} on the world of discs that the map of λ = {:g} makes of {}: {}.", best_kappa, lambda,
+                               counted(static_cast<std::int64_t>(world.obstacles.size()), "star"), counted(best.steps, "step")));
+    return best;
+  }
+
+  /// By differences: which way the slope falls off most.
+  static std::optional<Vec2> saddle_direction(const StarNavigation& navigation, Vec2 q) {
+    const double h = 1e-6 * navigation.function().world().outside.radius;
+    const Vec2 dx = (0.5 / h) * (navigation.slope(q + Vec2{h, 0}) - navigation.slope(q - Vec2{h, 0})), dy = (0.5 / h) * (navigation.slope(q + Vec2{0, h}) - navigation.slope(q - Vec2{0, h}));
+    return way_off({dx.x, 0.5 * (dx.y + dy.x), dy.y});
   }
 
   PlanningFailure stopped(const Budget& budget, std::int64_t steps) const {

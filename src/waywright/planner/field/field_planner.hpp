@@ -1,4 +1,4 @@
-// Planners `potential_field` and `navigation_function`: the way of a disc down a field.
+// Planners `potential_field`, `navigation_function` and `star_navigation`: the way of a disc down a field.
 #pragma once
 
 #include <memory>
@@ -12,13 +12,14 @@
 
 namespace waywright {
 
-enum class FieldMethod { potential, navigation };
+enum class FieldMethod { potential, navigation, star };
 
 struct FieldPlannerOptions {
   FieldMethod method = FieldMethod::potential;
   PotentialOptions potential{};
   DescentOptions descent{};
-  double kappa = 0.0;   ///< of the navigation function; 0: of those that are shown to lead to the goal that of the shortest way
+  double kappa = 0.0;   ///< of the navigation function; 0: of those that are shown to lead to the goal the one whose way, at most a tenth longer than the shortest, keeps farthest away
+  double lambda = 0.0;  ///< of the map from stars to discs; 0: the least that is shown not to fold
   double step = 0.002;  ///< of its steps, in radii of the outer disc
   std::int64_t steps = 200'000;  ///< at most
 };

@@ -127,6 +127,38 @@ TEST(NavigationFunctionPlanner, SaysWhatDoesNotFitIntoDiscs) {
   EXPECT_NE(why.find("meet"), std::string::npos) << why;
 }
 
+FieldPlannerOptions star(double kappa, double lambda) {
+  FieldPlannerOptions o;
+  o.method = FieldMethod::star;
+  o.kappa = kappa;
+  o.lambda = lambda;
+  return o;
+}
+
+TEST(StarNavigationPlanner, DrivesTheReconstructionsWays) {
+  const auto behind = driven(scenario("NF-ST", 0), star(8.0, 1e6)), between = driven(scenario("NF-ST", 1), star(8.0, 1e6));
+  ASSERT_TRUE(behind && between);
+  EXPECT_NEAR(behind->length, 8.52 + 0.02, 0.02);
+  EXPECT_NEAR(between->length, 4.64 + 0.02, 0.02);
+}
+
+TEST(StarNavigationPlanner, FindsItsOwnMapAndFunction) {
+  for (const std::size_t task : {0u, 1u}) EXPECT_TRUE(driven(scenario("NF-ST", task), star(0.0, 0.0))) << task;
+}
+
+// A hall with corners and polygons in it: the boundary is a star, too.
+TEST(StarNavigationPlanner, ReachesTheGoalAmongPolygonsInAHall) { EXPECT_TRUE(driven(scenario("APF-1", 0), star(0.0, 0.0))); }
+
+TEST(StarNavigationPlanner, SaysWhatIsNoStar) {
+  Scenario s = scenario("APF-1", 0);
+  s.map.obstacles = {{{4, 4}, {8, 4}, {8, 7}, {7, 7}, {7, 5}, {5, 5}, {5, 7}, {4, 7}}};
+  std::string why;
+  EXPECT_FALSE(driven(s, star(0.0, 0.0), &why));
+  EXPECT_NE(why.find("obstacle 0 is not star-shaped"), std::string::npos) << why;
+  EXPECT_FALSE(driven(scenario("APF-2", 0), star(0.0, 0.0), &why));
+  EXPECT_NE(why.find("no separate stars"), std::string::npos) << why;
+}
+
 // Worlds ten times as large, with a base of 0.58 × 0.38 m that keeps its heading or turns while it drives.
 TEST(FieldPlanners, DriveAMecanumBaseThroughScaledWorlds) {
   for (const double end : {0.0, 2.0}) {
