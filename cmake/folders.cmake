@@ -24,7 +24,7 @@ function(waywright_folder name)
     target_link_libraries(waywright_${name} PUBLIC waywright_${used})
   endforeach()
   foreach(library IN LISTS arg_LINKS)
-    if(library MATCHES "headers?-only|::headers")  # not passed on, not even to the linker
+    if(library MATCHES "headers?-only|::headers|::Eigen")  # not passed on, not even to the linker
       target_link_libraries(waywright_${name} PRIVATE $<BUILD_INTERFACE:${library}>)
     else()
       target_link_libraries(waywright_${name} PRIVATE ${library})

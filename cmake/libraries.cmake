@@ -1,5 +1,6 @@
 # Libraries of others, each under one name, as system headers.
 find_package(fmt REQUIRED)
+find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 find_package(tl-expected QUIET)
 find_package(Boost 1.74 REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -7,6 +7,7 @@
 #include "waywright/planner/docking/pattern_docking.hpp"
 #include "waywright/planner/docking/published_docking.hpp"
 #include "waywright/planner/field/field_planner.hpp"
+#include "waywright/planner/field/harmonic_planner.hpp"
 #include "waywright/planner/field/wavefront_planner.hpp"
 #include "waywright/planner/grid/grid_planner.hpp"
 #include "waywright/planner/grid/safe_planner.hpp"
@@ -153,6 +154,7 @@ const std::vector<PlannerDescription>& planners() {
     for (PlannerDescription& p : tree_planner_descriptions()) list.push_back(std::move(p));
     for (PlannerDescription& p : field_planner_descriptions()) list.push_back(std::move(p));
     list.push_back(wavefront_description());
+    list.push_back(harmonic_description());
     return list;
   }();
   return all;

@@ -1,0 +1,211 @@
+#include "waywright/planner/field/harmonic_planner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "waywright/planner/grid/connection.hpp"
+#include "waywright/planner/grid/free_goal.hpp"
+#include "waywright/planner/grid/grid_words.hpp"
+#include "waywright/planner/grid/motion_check.hpp"
+#include "waywright/planner/plane/plane_ends.hpp"
+#include "waywright/planner/plane/rounded_way.hpp"
+#include "waywright/planner/roadmap/least_length.hpp"
+#include "waywright/scenario/parameter_values.hpp"
+
+namespace waywright {
+namespace {
+
+using grid::counted;
+using grid::failure;
+
+constexpr double usual_cell = 0.05;                 // m
+constexpr std::int64_t usual_cells = 100'000;       // solved in some tenths of a second
+constexpr std::int64_t most_cells = 1'000'000;
+constexpr double step_of_cell = 0.5;
+constexpr double thinning = 0.1;                    // of a cell
+
+}  // namespace
+
+class HarmonicPlanner::Ready {
+ public:
+  Ready(const Problem& problem, const HarmonicOptions& options) : space_{problem} {
+    if (!problem.vehicle().can_turn_on_the_spot()) return;
+    auto frame = frame_of(problem, options.resolution);
+    if (!frame) refused_ = frame.error();
+    else frame_ = *frame;
+  }
+  Ready(const Ready&) = delete;
+  Ready& operator=(const Ready&) = delete;
+
+  bool is_for(const Problem& problem) const { return &problem == &space_.problem(); }
+
+  PlanningResult plan(const HarmonicOptions& options, Budget& budget) const {
+    const Problem& problem = space_.problem();
+    if (auto reason = nothing_to_plan(problem, "harmonic")) return tl::unexpected{failure(Status::no_path, std::move(*reason))};
+    if (!refused_.empty()) return tl::unexpected{failure(Status::no_path, refused_)};
+    const auto stopped = [&](std::int64_t cells) { return grid::nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, cells, budget, frame_.cell, ""); };
+    if (budget.exhausted()) return tl::unexpected{stopped(0)};
+    budget.count_evaluations();
+    const auto start = plane_start(space_);
+    const bool is_region = problem.free_goal() != nullptr && !problem.free_goal()->is_point();
+    const auto goal = is_region ? std::optional<PlaneEnd>{PlaneEnd{}} : plane_goal(space_);
+    if (!start || !goal) return tl::unexpected{no_room(space_, !start)};
+    MotionCheck test{problem, Footprint{{}, space_.disc()}};
+    const auto from = disc_connections(problem, frame_, start->at, true, test);
+    std::vector<Cell> goals;
+    if (is_region) {
+      goals = region_cells(problem, frame_);
+      std::erase_if(goals, [&](Cell c) { return !space_.is_free(frame_.centre(c)); });
+    } else {
+      for (const DiscConnection& c : disc_connections(problem, frame_, goal->at, false, test)) {
+        if (space_.is_free(frame_.centre(c.cell))) goals.push_back(c.cell);
+      }
+    }
+    if (from.empty() || goals.empty()) {
+      return tl::unexpected{failure(Status::no_path, fmt::format("around the {} there is no cell of {:g} m whose middle is free and can be driven to; try a finer resolution", from.empty() ? "start" : "goal", frame_.cell),
+                                    from.empty() ? problem.start() : problem.goal())};
+    }
+    const auto is_free = [&](Cell c) { return space_.is_free(frame_.centre(c)); };
+    const auto may_drive = [&](Cell a, Cell b) { return space_.is_free(frame_.centre(a), frame_.centre(b)); };
+    const HarmonicField field{frame_, goals, is_free, may_drive, options.field};
+    budget.count_expansions(field.unknowns());
+    if (budget.exhausted()) return tl::unexpected{stopped(field.unknowns())};
+    std::optional<Cell> first;
+    for (const DiscConnection& c : from) {
+      if (field.at(c.cell) > 0.0 && (!first || field.at(c.cell) > field.at(*first))) first = c.cell;
+    }
+    if (!first) {
+      std::string reason = fmt::format("the start is not connected to the goal between {} of {:g} m, for {} of {:.3f} m that keeps {:.3f} m", counted(field.unknowns(), "free cell"), frame_.cell,
+                                       problem.footprint().is_disc() ? "a disc" : "the disc around the footprint,", space_.disc(), problem.required_clearance());
+      if (const std::string more = unreachable_sentence(least_length(space_, budget), problem); !more.empty()) reason += "; " + more;
+      return tl::unexpected{failure(Status::no_path, std::move(reason))};
+    }
+    std::vector<Vec2> points = streamline(field, goals, *first);
+    points.insert(points.begin(), start->at);
+    if (!is_region) points.push_back(goal->at);
+    return explained(options, field, thinned_way(space_, points, thinning * frame_.cell), *start, *goal, budget);
+  }
+
+ private:
+  static tl::expected<GridFrame, std::string> frame_of(const Problem& problem, double resolution) {
+    auto frame = make_grid_frame(problem, resolution);
+    if (!frame) return frame;
+    const auto cells = [&] { return static_cast<std::int64_t>(frame->columns) * frame->rows; };
+    // Coarser until there are few enough, where nobody told.
+    for (double cell = usual_cell; resolution == 0.0 && frame && !frame->is_native && cells() > usual_cells; cell *= 1.25) frame = make_grid_frame(problem, cell);
+    if (frame && cells() > most_cells)
+      return tl::unexpected{fmt::format("{} x {} cells of {:g} m are {}, and at most {} are solved for: give a coarser resolution", frame->columns, frame->rows, frame->cell, cells(), most_cells)};
+    return frame;
+  }
+
+  /// Up w from a node: along its slope by half a cell at a time where that leads up and is free, else from node to node. Once nodes had to be gone back to they are kept to.
+  std::vector<Vec2> streamline(const HarmonicField& field, const std::vector<Cell>& goals, Cell first) const {
+    std::vector<Vec2> points{frame_.centre(first)};
+    const auto is_goal = [&](Cell c) { return std::find(goals.begin(), goals.end(), c) != goals.end(); };
+    Cell node = first;
+    std::size_t at_node = 1;  // points up to that node
+    bool follows = true;
+    const double step = step_of_cell * frame_.cell;
+    while (!is_goal(node)) {
+      if (follows) {
+        const Vec2 q = points.back();
+        const HarmonicField::Value here = field.at(q);
+        const double steep = norm(here.gradient);
+        if (steep > 0.0 && std::isfinite(steep)) {
+          const Vec2 next = q + (step / steep) * here.gradient;
+          if (field.at(next).w > here.w && space_.is_free(q, next)) {
+            points.push_back(next);
+            // Near a goal's middle that is seen the way is over.
+            const auto there = std::find_if(goals.begin(), goals.end(), [&](Cell c) { return distance(frame_.centre(c), next) < frame_.cell && space_.is_free(next, frame_.centre(c)); });
+            if (there != goals.end()) {
+              points.push_back(frame_.centre(*there));
+              return points;
+            }
+            continue;
+          }
+        }
+        if (auto corner = seen_corner(field, q, here.w)) {
+          points.push_back(frame_.centre(*corner));
+          node = *corner;
+          at_node = points.size();
+        } else {
+          points.resize(at_node);
+          follows = false;
+        }
+        if (is_goal(node)) break;
+      }
+      Cell best = node;
+      for (const Cell to : {Cell{node.column + 1, node.row}, Cell{node.column - 1, node.row}, Cell{node.column, node.row + 1}, Cell{node.column, node.row - 1}}) {
+        if (field.at(to) > field.at(best) && field.may_drive(node, to)) best = to;
+      }
+      if (best == node) break;  // cannot be, by the field's law
+      node = best;
+      points.push_back(frame_.centre(node));
+      at_node = points.size();
+    }
+    return points;
+  }
+
+  /// Of the four nodes around a place the one of greatest w, where that is over `w` and seen.
+  std::optional<Cell> seen_corner(const HarmonicField& field, Vec2 q, double w) const {
+    const Vec2 in = frame_.in_cells(q) - Vec2{0.5, 0.5};
+    std::optional<Cell> best;
+    for (const double dy : {0.0, 1.0}) {
+      for (const double dx : {0.0, 1.0}) {
+        const Cell c{static_cast<int>(std::floor(in.x) + dx), static_cast<int>(std::floor(in.y) + dy)};
+        if (field.at(c) > (best ? field.at(*best) : w) && space_.is_free(q, frame_.centre(c))) best = c;
+      }
+    }
+    return best;
+  }
+
+  PlanningResult explained(const HarmonicOptions& options, const HarmonicField& field, const std::vector<Vec2>& points, const PlaneEnd& start, const PlaneEnd& goal, Budget& budget) const {
+    Planned planned;
+    planned.path = rounded_path(space_, start, points, goal);
+    if (planned.path.pieces.empty()) return tl::unexpected{failure(Status::no_path, "start and goal are the same place, there is nothing to drive")};
+    std::vector<std::string>& text = planned.explanation;
+    text.push_back(fmt::format("Along a streamline of the harmonic potential on {} of {:g} m, which walls draw off at {:g} of what a free neighbour does: it has no local minimum but the goal, on any map.",
+                               counted(field.unknowns(), "free cell"), frame_.cell, options.field.absorption));
+    if (start.run != 0 || goal.run != 0) text.push_back(run_sentence(space_, start, goal));
+    text.push_back(driving_sentence(space_.problem(), planned.path));
+    if (std::string bound = bound_sentence(least_length(space_, budget), length(planned.path)); !bound.empty()) text.push_back(std::move(bound));
+    return planned;
+  }
+
+  PlaneSpace space_;
+  GridFrame frame_;
+  std::string refused_;
+};
+
+HarmonicPlanner HarmonicPlanner::prepared(const Problem& problem) const {
+  HarmonicPlanner planner = *this;
+  planner.ready_ = std::make_shared<const Ready>(problem, options_);
+  return planner;
+}
+
+PlanningResult HarmonicPlanner::plan(const Problem& problem, Budget& budget) const {
+  if (ready_ && ready_->is_for(problem)) return ready_->plan(options_, budget);
+  return Ready{problem, options_}.plan(options_, budget);
+}
+
+PlannerDescription harmonic_description() {
+  const HarmonicOptions defaults;
+  PlannerDescription d{"harmonic",
+                       "along a streamline of a potential without local minima, on any map; of a disc, or the disc around the footprint",
+                       {{.name = "resolution", .default_value = defaults.resolution, .summary = "of the cells; 0: the map's own, or as fine as a hundred thousand cells allow", .unit = "m", .low = 0, .high = 100},
+                        {.name = "absorption", .default_value = defaults.field.absorption, .summary = "how much walls draw off: 1 as published; less goes nearer to walls and fades more slowly", .low = 1e-4, .high = 1}},
+                       [](const Parameters& p, std::uint64_t) -> AnyPlanner {
+                         HarmonicOptions o;
+                         o.resolution = number_of(p, "resolution");
+                         o.field.absorption = number_of(p, "absorption");
+                         return HarmonicPlanner{o};
+                       }};
+  d.takes_free_goals = true;
+  d.turns_on_the_spot = true;
+  return d;
+}
+
+}  // namespace waywright
