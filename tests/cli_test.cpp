@@ -416,7 +416,6 @@ TEST_F(CommandLine, BadScenariosAreOneSentenceThatNamesTheField) {
       {"expansions", [](Json& j) { j["budget"] = {{"expansions", 10}}; }, {"budget.expansions", "pattern_docking counts no expansions", "evaluations, samples, seconds"}},
       {"samples", [](Json& j) { j["budget"] = {{"samples", 10}}; j["planner"] = {{"name", "pattern_docking"}, {"fallback", false}}; }, {"budget.samples", "counts no samples"}},
       {"published samples", [](Json& j) { j["budget"] = {{"samples", 10}}; j["planner"] = {{"name", "pattern_docking_published"}}; }, {"budget.samples", "counts no samples"}},
-      {"mecanum", [](Json& j) { j["vehicle"] = {{"footprint", {{"disc", 0.3}}}, {"drive", {{"type", "mecanum"}, {"wheel_radius", 0.1}, {"half_length", 0.3}, {"half_width", 0.3}}}}; }, {"vehicle.drive.type", "not supported yet", "tricycle, differential"}},
       {"seed", [](Json& j) { j["seed"] = 1.5; }, {"seed", "whole"}},
       {"map kinds", [](Json& j) { j["map"]["ros"] = "x.yaml"; }, {"kinds of map"}},
       {"map file", [](Json& j) { j["map"] = {{"ros", "x.yaml"}}; }, {"x.yaml", "no such file"}},

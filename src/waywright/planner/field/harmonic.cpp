@@ -45,6 +45,10 @@ HarmonicField::HarmonicField(const GridFrame& frame, const std::vector<Cell>& go
       links_[index(c)] = static_cast<std::uint8_t>(links_[index(c)] | 1U << k);
       links_[index(to)] = static_cast<std::uint8_t>(links_[index(to)] | 1U << ((k + 2) % 4));
       if (is_known[index(to)] != 0 || number[index(to)] >= 0) continue;
+      if (unknowns_ == options.most_unknowns) {
+        is_over_ = true;
+        return;
+      }
       number[index(to)] = static_cast<int>(unknowns_++);
       reached.push_back(to);
     }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,7 @@ namespace waywright {
 class HarmonicField {
  public:
   struct Options {
+    std::int64_t most_unknowns = std::numeric_limits<std::int64_t>::max();  ///< with more nothing is solved, and all values are 0
     double absorption = 0.1;  ///< in (0, 1]: 1 as published; less keeps nearer to walls and fades more slowly
   };
   /// `is_free`: can the disc stand at a cell's middle; `may_drive`: straight from one middle to the next. Solved directly (sparse Cholesky), so that small values are as
@@ -32,6 +34,7 @@ class HarmonicField {
   double at(Cell c) const { return frame_.contains(c) ? values_[index(c)] : 0.0; }
   bool may_drive(Cell from, Cell to) const;  ///< between neighbours
   std::int64_t unknowns() const { return unknowns_; }
+  bool is_over() const { return is_over_; }  ///< there were more than allowed
 
   /// w between nodes, bilinear, and its slope; w = 0 beyond the grid.
   struct Value {
@@ -47,6 +50,7 @@ class HarmonicField {
   std::vector<double> values_;
   std::vector<std::uint8_t> links_;  // bit i: to the i-th of right, up, left, down
   std::int64_t unknowns_ = 0;
+  bool is_over_ = false;
 };
 
 }  // namespace waywright

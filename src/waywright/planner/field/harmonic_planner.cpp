@@ -70,8 +70,11 @@ class HarmonicPlanner::Ready {
     }
     const auto is_free = [&](Cell c) { return space_.is_free(frame_.centre(c)); };
     const auto may_drive = [&](Cell a, Cell b) { return space_.is_free(frame_.centre(a), frame_.centre(b)); };
-    const HarmonicField field{frame_, goals, is_free, may_drive, options.field};
+    HarmonicField::Options wanted = options.field;
+    wanted.most_unknowns = budget.limits().expansions.value_or(wanted.most_unknowns);
+    const HarmonicField field{frame_, goals, is_free, may_drive, wanted};
     budget.count_expansions(field.unknowns());
+    if (field.is_over()) return tl::unexpected{grid::nothing_found(SearchEnd::expansions, false, field.unknowns(), budget, frame_.cell, "")};
     if (budget.exhausted()) return tl::unexpected{stopped(field.unknowns())};
     std::optional<Cell> first;
     for (const DiscConnection& c : from) {
@@ -205,6 +208,7 @@ PlannerDescription harmonic_description() {
                        }};
   d.takes_free_goals = true;
   d.turns_on_the_spot = true;
+  d.counts_expansions = true;
   return d;
 }
 

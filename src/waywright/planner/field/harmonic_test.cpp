@@ -26,7 +26,7 @@ Maze random_maze(Random& random, double share) {
 }
 
 HarmonicField field_on(const Maze& maze, Cell goal, double absorption) {
-  return {maze.frame, {goal}, [&](Cell c) { return maze.is_free(c); }, [](Cell, Cell) { return true; }, {absorption}};
+  return {maze.frame, {goal}, [&](Cell c) { return maze.is_free(c); }, [](Cell, Cell) { return true; }, {.absorption = absorption}};
 }
 
 // The law, on random mazes and long corridors: who has a value has a neighbour with a greater one.

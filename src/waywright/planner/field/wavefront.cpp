@@ -19,7 +19,7 @@ void neighbours_of(const GridGraph& graph, Cell c, Seen&& seen) {
 
 }  // namespace
 
-Wavefront wavefront(const GridGraph& graph, const std::vector<Cell>& goals, const std::function<bool(Cell, int move)>& is_free, const std::function<bool()>& stops) {
+Wavefront wavefront(const GridGraph& graph, const std::vector<Cell>& goals, const std::function<bool(Cell, int move)>& is_free, const std::function<bool()>& stops, std::int64_t most) {
   Wavefront front;
   front.values.assign(graph.cells(), 0);
   std::vector<Cell> waiting;
@@ -29,10 +29,11 @@ Wavefront wavefront(const GridGraph& graph, const std::vector<Cell>& goals, cons
     waiting.push_back(c);
   }
   for (std::size_t i = 0; i < waiting.size(); ++i) {
-    if ((i & 1023) == 0 && stops()) {
+    if (front.expanded == most || ((i & 1023) == 0 && stops())) {
       front.is_stopped = true;
       break;
     }
+    ++front.expanded;
     const Cell at = waiting[i];
     const std::uint32_t next = front.values[graph.index(at)] + 1;
     neighbours_of(graph, at, [&](Cell to, int move, bool is_known) {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "waywright/planner/grid/grid_graph.hpp"
@@ -17,14 +18,17 @@ struct Wavefront {
   static constexpr std::uint32_t goal_value = 2;
   std::vector<std::uint32_t> values;
   std::int64_t reached = 0;  ///< cells
+  std::int64_t expanded = 0; ///< of them, that it was passed on from
   bool is_stopped = false;   ///< before all that can be reached was
 
   bool reaches(std::size_t cell) const { return values[cell] != 0; }
 };
 
 /// From the goals outwards, every free neighbour of a cell with value v that has none gets v + 1. Linear in the number of cells. `is_free` is asked of moves that the
-/// graph does not know; `stops` every 1024 cells.
-Wavefront wavefront(const GridGraph& graph, const std::vector<Cell>& goals, const std::function<bool(Cell, int move)>& is_free, const std::function<bool()>& stops);
+/// graph does not know; `stops` every 1024 cells. At most
+/// `most` cells are passed on from.
+Wavefront wavefront(const GridGraph& graph, const std::vector<Cell>& goals, const std::function<bool(Cell, int move)>& is_free, const std::function<bool()>& stops,
+                    std::int64_t most = std::numeric_limits<std::int64_t>::max());
 
 /// Down from a cell that was reached, each time to a neighbour whose value is one less: the first in the order east, north-east, north … (so published), or where
 /// `clearance` is told (m, of each cell) the one farthest from what is blocked.

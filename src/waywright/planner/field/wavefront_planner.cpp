@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "waywright/planner/field/wavefront.hpp"
@@ -65,10 +66,11 @@ class WavefrontPlanner::Ready {
       const Move m = moves[static_cast<std::size_t>(move)];
       return space_.is_free(frame_.centre(c), frame_.centre({c.column + m.column, c.row + m.row}));
     };
-    const Wavefront front = wavefront(graph_, goals, is_free, [&] { return budget.exhausted(); });
-    budget.count_expansions(front.reached);
+    const Wavefront front = wavefront(graph_, goals, is_free, [&] { return budget.exhausted(); }, budget.limits().expansions.value_or(std::numeric_limits<std::int64_t>::max()));
+    budget.count_expansions(front.expanded);
     if (front.is_stopped) {
-      return tl::unexpected{grid::nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, front.reached, budget, frame_.cell, "")};
+      const SearchEnd why = budget.canceled() ? SearchEnd::canceled : budget.cut_short() ? SearchEnd::timed_out : SearchEnd::expansions;
+      return tl::unexpected{grid::nothing_found(why, false, front.expanded, budget, frame_.cell, "")};
     }
     const auto value = [&](const DiscConnection& c) { return front.values[graph_.index(c.cell)]; };
     std::optional<DiscConnection> first;
@@ -132,7 +134,7 @@ PlannerDescription wavefront_description() {
   PlannerDescription d{"wavefront",
                        "fewest moves between cells, down the wave from the goal; of a disc, or the disc around the footprint",
                        {{.name = "resolution", .default_value = defaults.resolution, .summary = "of the cells; 0: the map's own, or 0.05 m", .unit = "m", .low = 0, .high = 100},
-                        {.name = "neighbours", .default_value = 8.0, .summary = "of a cell", .values = {4, 8}},
+                        {.name = "neighbours", .default_value = 8.0, .summary = "of a cell", .low = 4, .high = 8, .whole = true, .values = {4, 8}},
                         {.name = "keeps_away", .default_value = defaults.keeps_away, .summary = "of moves that lead down alike the one farthest from obstacles; else the first, as published"},
                         {.name = "shorten", .default_value = defaults.shortens, .summary = "leave out corners past which their neighbours see each other"}},
                        [](const Parameters& p, std::uint64_t) -> AnyPlanner {
@@ -145,6 +147,7 @@ PlannerDescription wavefront_description() {
                        }};
   d.takes_free_goals = true;
   d.turns_on_the_spot = true;
+  d.counts_expansions = true;
   return d;
 }
 
