@@ -88,7 +88,8 @@ class Scene {
       };
       if (drives(-1))
         entries.push_back({"back", Shape::line, forks ? "backwards (chassis first)" : "backwards"});
-      if (drives(1)) entries.push_back({"fwd", Shape::line, forks ? "forwards (forks first)" : "forwards"});
+      const bool slides = std::any_of(plan_.samples.begin(), plan_.samples.end(), [](const Sample& s) { return !s.faces_along; });
+      if (drives(1)) entries.push_back({"fwd", Shape::line, slides ? "path, not facing along it" : forks ? "forwards (forks first)" : "forwards"});
       entries.push_back({"sweep", Shape::box, "swept by the footprint"});
     }
     if (!problem_.scenario().waypoints.empty()) entries.push_back({"waypoint", Shape::dot, "1, 2, 3 …: waypoints in order"});

@@ -21,7 +21,6 @@ namespace {
 using grid::counted;
 using grid::failure;
 
-constexpr double usual_cell = 0.05;                 // m
 constexpr std::int64_t usual_cells = 100'000;       // solved in some tenths of a second
 constexpr std::int64_t most_cells = 1'000'000;
 constexpr double step_of_cell = 0.5;
@@ -98,7 +97,7 @@ class HarmonicPlanner::Ready {
     if (!frame) return frame;
     const auto cells = [&] { return static_cast<std::int64_t>(frame->columns) * frame->rows; };
     // Coarser until there are few enough, where nobody told.
-    for (double cell = usual_cell; resolution == 0.0 && frame && !frame->is_native && cells() > usual_cells; cell *= 1.25) frame = make_grid_frame(problem, cell);
+    for (double cell = frame ? 1.25 * frame->cell : 0.0; resolution == 0.0 && frame && cells() > usual_cells; cell *= 1.25) frame = make_grid_frame(problem, cell);
     if (frame && cells() > most_cells)
       return tl::unexpected{fmt::format("{} x {} cells of {:g} m are {}, and at most {} are solved for: give a coarser resolution", frame->columns, frame->rows, frame->cell, cells(), most_cells)};
     return frame;
@@ -198,7 +197,7 @@ PlannerDescription harmonic_description() {
   const HarmonicOptions defaults;
   PlannerDescription d{"harmonic",
                        "along a streamline of a potential without local minima, on any map; of a disc, or the disc around the footprint",
-                       {{.name = "resolution", .default_value = defaults.resolution, .summary = "of the cells; 0: the map's own, or as fine as a hundred thousand cells allow", .unit = "m", .low = 0, .high = 100},
+                       {{.name = "resolution", .default_value = defaults.resolution, .summary = "of the cells; 0: as fine as a hundred thousand cells allow, the map's own or 0.05 m at least", .unit = "m", .low = 0, .high = 100},
                         {.name = "absorption", .default_value = defaults.field.absorption, .summary = "how much walls draw off: 1 as published; less goes nearer to walls and fades more slowly", .low = 1e-4, .high = 1}},
                        [](const Parameters& p, std::uint64_t) -> AnyPlanner {
                          HarmonicOptions o;

@@ -10,7 +10,7 @@
 namespace waywright {
 
 struct HarmonicOptions {
-  double resolution = 0.0;  ///< m; 0: the map's own, or as fine as `most_cells` allow, 0.05 m at least
+  double resolution = 0.0;  ///< m; 0: as fine as a hundred thousand cells allow, the map's own or 0.05 m at least
   HarmonicField::Options field{};
 };
 
