@@ -1,0 +1,103 @@
+// Fields and vehicles that move any way, from the command line: plans, plan files, what is refused.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/command_line.hpp"
+#include "waywright/io/plan_io.hpp"
+
+namespace waywright {
+namespace {
+
+using nlohmann::json;
+using waywright::test::CommandLine;
+
+const std::string examples = std::string{WAYWRIGHT_SOURCE_DIR} + "/examples/fields/";
+
+json read(const std::filesystem::path& file) {
+  std::ifstream in{file};
+  return json::parse(in);
+}
+
+TEST_F(CommandLine, FieldsPlanTheirExamples) {
+  for (const char* name : {"mecanum_warehouse", "mecanum_discs", "point_stars"}) {
+    const auto planned = run("plan " + examples + name + ".json -o " + name);
+    ASSERT_EQ(planned.status, 0) << name << planned.out << planned.err;
+    EXPECT_EQ(run(std::string{"verify "} + name + "/plan.json").status, 0) << name;
+  }
+  const auto trapped = run("plan " + examples + "point_trap.json -o trap");
+  EXPECT_EQ(trapped.status, 1);
+  EXPECT_NE(trapped.out.find("trapped in a local minimum at (4.62"), std::string::npos) << trapped.out;
+  for (const char* other : {"harmonic", "wavefront", "visibility_graph"}) EXPECT_EQ(run("plan " + examples + "point_trap.json -o t --planner " + other).status, 0) << other;
+}
+
+// The heading along the path stands in the file, exactly; the samples follow it, their course is the way's.
+TEST_F(CommandLine, AHeadingOfItsOwnIsWrittenReadAndVerified) {
+  ASSERT_EQ(run("plan " + examples + "mecanum_discs.json -o o").status, 0);
+  const json plan = read(folder_ / "o/plan.json");
+  double turned = 0.0;
+  for (const json& piece : plan["path"]["pieces"]) {
+    ASSERT_TRUE(piece.contains("heading")) << piece;
+    turned += piece["heading"]["turn"].get<double>();
+  }
+  EXPECT_NEAR(turned, 3.0, 1e-9);
+  const json& samples = plan["path"]["samples"];
+  EXPECT_EQ(samples["heading"].front(), 0.0);
+  EXPECT_NEAR(samples["heading"].back().get<double>(), 3.0, 1e-9);
+  std::size_t apart = 0;
+  for (std::size_t i = 0; i < samples["s"].size(); ++i) apart += std::abs(shorter_turn(samples["heading"][i].get<double>(), samples["course"][i].get<double>())) > 0.1 ? 1 : 0;
+  EXPECT_GT(apart, samples["s"].size() / 2);
+  const Plan back = parse_plan(plan.dump(), "plan.json").value();
+  EXPECT_EQ(plan_json(back), plan_json(parse_plan(plan_json(back), "plan.json").value()));
+  // A heading that is not the samples' is found out.
+  json lie = plan;
+  lie["path"]["pieces"][0]["heading"]["from"] = 0.3;
+  std::ofstream{folder_ / "lie.json"} << lie;
+  EXPECT_EQ(run("verify lie.json").status, 1);
+}
+
+TEST_F(CommandLine, AHeadingThatCannotBeIsRefused) {
+  ASSERT_EQ(run("plan " + examples + "mecanum_discs.json -o o").status, 0);
+  const json plan = read(folder_ / "o/plan.json");
+  const auto broken = [&](auto change, const std::vector<std::string>& words) {
+    json j = plan;
+    change(j["path"]["pieces"][0]);
+    std::ofstream{folder_ / "b.json"} << j;
+    refused(run("verify b.json"), words);
+  };
+  broken([](json& piece) { piece["direction"] = -1; }, {"path.pieces[0].heading", "backwards"});
+  broken([](json& piece) { piece["heading"] = 3; }, {"path.pieces[0].heading"});
+  broken([](json& piece) { piece["heading"].erase("turn"); }, {"path.pieces[0].heading.turn", "missing"});
+  broken([](json& piece) { piece["heading"]["turn"] = 1e9; }, {"path.pieces[0].heading.turn", "range"});
+  // A vehicle that must face along cannot drive it: proven wrong, not refused.
+  json other = plan;
+  other["scenario"]["vehicle"]["drive"] = {{"type", "differential"}, {"track", 0.3}};
+  std::ofstream{folder_ / "d.json"} << other;
+  const auto verified = run("verify d.json");
+  EXPECT_EQ(verified.status, 1);
+  EXPECT_NE((verified.out + verified.err).find("does not face along"), std::string::npos) << verified.out << verified.err;
+}
+
+TEST_F(CommandLine, EveryPlannerThatTurnsOnTheSpotPlansForAMecanumBase) {
+  for (const char* planner : {"astar", "theta_star", "clearance_optimal", "visibility_graph", "voronoi", "prm", "rrt_star", "ompl_rrt_connect"}) {
+    const auto planned = run("plan " + examples + "mecanum_discs.json -o m --planner " + planner);
+    EXPECT_EQ(planned.status, 0) << planner << planned.out << planned.err;
+    EXPECT_EQ(run("verify m/plan.json").status, 0) << planner;
+  }
+}
+
+TEST_F(CommandLine, ControlsOfASlidingBaseEndAtTheGoal) {
+  ASSERT_EQ(run("plan " + examples + "mecanum_discs.json -o o").status, 0);
+  const auto told = run("controls o/plan.json -o c --json");
+  ASSERT_EQ(told.status, 0) << told.err;
+  std::ifstream csv{folder_ / "c/controls.csv"};
+  std::string header;
+  std::getline(csv, header);
+  EXPECT_NE(header.find("v_left"), std::string::npos) << header;
+  EXPECT_NE(header.find("rear_right"), std::string::npos) << header;
+}
+
+}  // namespace
+}  // namespace waywright
