@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -245,6 +246,21 @@ TEST(LeastLength, ARegionThatAnObstacleShutsWhereItIsNearest) {
   // Straight to where the region's edge is 0.3 m from the point.
   EXPECT_NEAR(least.metres, std::hypot(2.85, std::sqrt(0.3 * 0.3 - 0.15 * 0.15)), 1e-5);
   EXPECT_FALSE(least.is_straight);
+}
+
+TEST(LeastLength, SaysWhyItIsOnlyTheStraightLine) {
+  Random random{5};
+  Scenario s = hall(random, 0.2, 0);
+  s.map.obstacles = {rectangle({3, 0.5}, {4, 8}), rectangle({6, 0}, {7, 7})};
+  const Problem problem = Problem::prepare(s).value();
+  const std::atomic<bool> cancel{true};
+  Budget canceled{{}, &cancel}, all;
+  const LeastLength straight = least_length(PlaneSpace{problem}, canceled), bent = least_length(PlaneSpace{problem}, all);
+  EXPECT_TRUE(straight.is_cut_short);
+  EXPECT_NEAR(straight.metres, distance(problem.start().position(), problem.goal().position()), 1e-12);
+  EXPECT_NE(bound_sentence(straight, 20.0).find("the budget was over"), std::string::npos);
+  EXPECT_FALSE(bent.is_cut_short);
+  EXPECT_GT(bent.metres, straight.metres + 1.0);
 }
 
 TEST(LeastLength, NoShorterThanStraightAndNoLongerThanWhatIsDriven) {
