@@ -15,7 +15,7 @@ struct DriveState {
   double curvature = 0.0;  ///< 1/m, turn/v as the wheels stand; of vehicles that cannot turn on the spot
 };
 
-/// What happened in a step: as if these had been constant in it (midpoint odometry).
+/// What happened in a step: as if these had been constant in it, an arc.
 struct DriveStep {
   double v = 0.0, turn = 0.0;
 };
@@ -23,6 +23,10 @@ struct DriveStep {
 /// Speeds follow commands within acceleration and deceleration (to 0 first, where they change their sign), turning within the angular acceleration. Vehicles with a
 /// steered wheel take turn/v of the command as a steering angle, within its limit and rate and those of curvature, and keep it while they speed up or brake.
 /// Commands over the limits of speed, angular speed and lateral acceleration are obeyed as far as those go. A limit that is not given is none, but for `turn_speed`.
+///
+/// Law: a state that keeps the limits is followed by one that does, and the step's v and turn do too: of speed, angular speed, lateral acceleration, curvature (but under
+/// 0.01 m/s, where vehicles with two driven wheels are taken to turn on the spot), acceleration, deceleration, angular acceleration (not of steered wheels), the wheel's
+/// rate and that of curvature.
 class DriveModel {
  public:
   /// `turn_speed`: rad/s, where the vehicle names no angular speed
@@ -40,8 +44,12 @@ class DriveModel {
 
  private:
   DriveStep move(DriveState& state, double v, double turn, double time) const;
+  DriveStep turned(DriveState& state, double v, double turn, double time) const;
+  DriveStep bent(DriveState& state, double v, double turn, double time) const;
   double ramped_speed(double from, double to, double time) const;
-  double steered(const DriveState& state, double curvature, double v, double time) const;
+  double steered(const DriveState& state, double curvature, double way, double time) const;
+  /// m/s, by the limits of angular speed and lateral acceleration
+  double top_speed(double curvature) const;
 
   Limits limits_;
   bool on_the_spot_;

@@ -67,10 +67,9 @@ class Simulation {
 
   /// The motion of one step is free from begin to end: halved until a pose's clearance covers what any point of the footprint moves.
   bool is_free_between(const Pose& from, const DriveStep& step, double time) const {
-    const Pose middle = midpoint_step(from, 0.5 * step.v * time, 0.5 * step.turn * time);
+    const Pose middle = arc_step(from, 0.5 * step.v * time, 0.5 * step.turn * time);
     const double half = 0.5 * reach(step, time);
-    // Midpoint odometry's own middle is off the motion's by a share of it that is cubic in the turn, and covered by a hundredth.
-    const double needed = 1.01 * half + clearance_;
+    const double needed = half + rounding + clearance_;
     const double clear = problem_.world().least_clearance(problem_.footprint(), middle, 2.0 * needed + 1e-3);
     if (clear > needed) return true;
     if (!(clear > clearance_) || half < finest) return false;
@@ -78,7 +77,8 @@ class Simulation {
   }
 
  private:
-  static constexpr double finest = 1e-5;  // m
+  static constexpr double finest = 1e-5;    // m
+  static constexpr double rounding = 1e-9;  // m
   double reach(const DriveStep& step, double time) const { return (std::abs(step.v) + radius_ * std::abs(step.turn)) * time; }
 
   const Problem& problem_;

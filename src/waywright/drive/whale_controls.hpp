@@ -78,7 +78,7 @@ struct WhaleControls {
 
 /// One search a segment for commands (v, ω, t)ⁿ, from the state in which the last segment's simulation ended. Cost
 ///   ‖p − x‖ + w_φ |φ − φ_next| + w_t Σt + 10 [collides] + w_v max(0, |v| − v_plan) + w_ω |ω − ω_plan|,
-/// p by midpoint odometry over steps of `period`, the vehicle following its commands within its limits (drive_model.hpp), so that speeds are continuous within segments
+/// p by odometry along the arcs of steps of `period`, the vehicle following its commands within its limits (drive_model.hpp), so that speeds are continuous within segments
 /// and between them. Beyond the publication: the last two terms; the last segment is asked for the goal's heading; backwards segments have v ≤ 0; where the vehicle is to
 /// stand it brakes after the last command; a waypoint on a bend has the bend's heading. Collisions are looked for where a candidate would be the best.
 /// Same plan, options, seed: the same bits.

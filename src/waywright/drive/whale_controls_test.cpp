@@ -47,7 +47,7 @@ TEST(DriveModel, FollowsWithinItsLimits) {
       EXPECT_GE(state.v, -limits.reverse_speed - 1e-12);
       EXPECT_LE(std::abs(state.v - before.v), 0.05 * std::max(limits.acceleration, limits.deceleration) + 1e-12);
       EXPECT_GE(before.v * state.v, 0.0) << "through a stand where it turns back";
-      EXPECT_NEAR(distance(state.pose.position(), before.pose.position()), 0.05 * std::abs(step.v), 1e-12);
+      EXPECT_EQ(state.pose, arc_step(before.pose, 0.05 * step.v, 0.05 * step.turn));
       if (tricycle != nullptr) {
         EXPECT_LE(std::abs(state.curvature), vehicle.max_curvature() + 1e-12);
         EXPECT_NEAR(state.turn, state.curvature * state.v, 1e-12);
@@ -59,6 +59,54 @@ TEST(DriveModel, FollowsWithinItsLimits) {
       if (i % 500 == 499) {
         EXPECT_TRUE(model.stands(state));
       }
+    }
+  }
+}
+
+/// Whatever is commanded, at any period: every state and what each step is told as keep every limit.
+TEST(DriveModel, NoCommandBreaksALimit) {
+  Vehicle no_rate = forklift(), slim = trolley(), fast = forklift();
+  no_rate.limits.curvature_rate.reset();
+  slim.limits.curvature = 1.0;  // wider bends than its turns on the spot
+  fast.limits.lateral_acceleration.reset();
+  constexpr double hair = 1.0 + 1e-9, creeping = 0.01;
+  Random random{2};
+  for (const Vehicle& vehicle : {trolley(), forklift(), no_rate, slim, fast}) {
+    const DriveModel model{vehicle};
+    const Limits& limits = vehicle.limits;
+    const auto* tricycle = std::get_if<Tricycle>(&vehicle.drive);
+    for (const double period : {0.05, 0.2, 1.0}) {
+      DriveState state;
+      double v = 0.0, turn = 0.0, bent = 0.0, turned = 0.0;
+      for (int i = 0; i < 30'000; ++i) {
+        if (i % 23 == 0) {
+          v = i % 5 == 0 ? 0.0 : random.uniform(-2.0, 2.0);
+          turn = i % 3 == 0 ? 0.0 : random.uniform(-2.0, 2.0);
+        }
+        const DriveState before = state;
+        const DriveStep step = i % 500 > 400 ? model.brake(state, period) : model.advance(state, v, turn, period);
+        for (const DriveStep& at : {step, DriveStep{state.v, state.turn}}) {
+          ASSERT_LE(std::abs(at.turn), *limits.angular_speed * hair);
+          if (limits.lateral_acceleration) {
+            ASSERT_LE(std::abs(at.v * at.turn), *limits.lateral_acceleration * hair) << i;
+          }
+        }
+        if (std::abs(state.v) > creeping * hair) {
+          ASSERT_LE(std::abs(state.turn), vehicle.max_curvature() * std::abs(state.v) * hair) << i;
+        }
+        ASSERT_LE(std::abs(state.v) - std::abs(before.v), period * limits.acceleration * hair);
+        ASSERT_LE(std::abs(before.v) - std::abs(state.v), period * limits.deceleration * hair);
+        if (tricycle != nullptr && limits.curvature_rate) {
+          ASSERT_LE(std::abs(state.curvature - before.curvature), *limits.curvature_rate * period * std::abs(step.v) * hair + 1e-12) << i;
+        }
+        bent = std::max(bent, std::abs(state.v * state.turn));
+        turned = std::max(turned, std::abs(state.turn));
+        if (i % 500 == 499) {
+          ASSERT_TRUE(model.stands(state)) << "it comes to a stand";
+        }
+      }
+      EXPECT_GT(bent, 0.25) << "limits are used";
+      EXPECT_GT(turned, 0.5);
     }
   }
 }
@@ -92,7 +140,7 @@ double least_distance(const Case& c, const WhaleControls& w) {
       for (const Vec2 p : c.plan.scenario.map.points) least = std::min(least, distance(p, pose.position()));
       pose = arc_step(pose, w.rows[k].twist, time);
     }
-    EXPECT_LT(distance(pose.position(), w.rows[k + 1].pose.position()), 1e-5) << "rows follow each other";
+    EXPECT_LT(distance(pose.position(), w.rows[k + 1].pose.position()), 1e-9) << "rows follow each other";
   }
   return least;
 }
@@ -139,6 +187,22 @@ TEST(WhaleControls, KeepTheVehiclesLimitsWithinAndBetweenSegments) {
     EXPECT_EQ(w.rows.front().pose, c.plan.samples.front().pose());
     EXPECT_EQ(w.rows.back().twist.forward, 0.0);
   }
+}
+
+/// Long steps bend far: what is told of the track is of what its commands do, not of chords.
+TEST(WhaleControls, RowsLeadWhereTheySayAtLongPeriods) {
+  Vehicle quick = trolley();
+  quick.limits.angular_speed = 1.5;
+  quick.limits.angular_acceleration = 3.0;
+  const Case c = case_of(quick, polyline({{0, 0}, {2, 0}, {3.2, 1.4}, {3.2, 3.2}}), {{1.0, 0.6}, {2.9, 0.1}, {3.8, 2.0}});
+  const WhaleControls w = whale_controls(c.problem, c.plan, {.tolerance = 0.1}, 0.8, 1);
+  const double least = least_distance(c, w);
+  if (w.collision_free) {
+    EXPECT_GT(least, 0.4);
+  }
+  Pose end = w.rows.front().pose;
+  for (std::size_t k = 0; k + 1 < w.rows.size(); ++k) end = arc_step(end, w.rows[k].twist, w.rows[k + 1].t - w.rows[k].t);
+  EXPECT_NEAR(end_error(end, c.plan.samples.back().pose()).position, w.end.position, 1e-9);
 }
 
 TEST(WhaleControls, DirectionsAreThoseOfThePlan) {

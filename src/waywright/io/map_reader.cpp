@@ -55,7 +55,7 @@ void append(Map& map, Map more) {
 }
 
 std::optional<Vec2> point_beyond_limits(const Map& map) {
-  const auto beyond = [](Vec2 p) { return !(std::max(std::abs(p.x), std::abs(p.y)) <= largest_coordinate); };
+  const auto beyond = [](Vec2 p) { return !(std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate); };
   for (const auto* lists : {&map.boundaries, &map.obstacles, &map.lines}) {
     for (const auto& list : *lists) {
       if (const auto p = std::find_if(list.begin(), list.end(), beyond); p != list.end()) return *p;

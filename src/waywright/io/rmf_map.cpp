@@ -119,7 +119,7 @@ class Building {
     }
     for (Vec2& v : vertices_) {
       v = scale_ * v;
-      if (!(std::max(std::abs(v.x), std::abs(v.y)) <= largest_raw_coordinate)) return fail("vertices", fmt::format("one is at ({:g}, {:g})", v.x, v.y), "coordinates within 1e9 m");
+      if (!(std::abs(v.x) <= largest_raw_coordinate && std::abs(v.y) <= largest_raw_coordinate)) return fail("vertices", fmt::format("one is at ({:g}, {:g})", v.x, v.y), "coordinates within 1e9 m");
     }
     name_places();
     return true;

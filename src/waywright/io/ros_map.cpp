@@ -182,7 +182,7 @@ std::optional<InputError> check_extent(const CellGrid& grid, const std::string& 
   for (const int column : {0, grid.columns}) {
     for (const int row : {0, grid.rows}) {
       const Vec2 p = grid.corner(column, row);
-      if (std::max(std::abs(p.x), std::abs(p.y)) > largest_raw_coordinate) {
+      if (!(std::abs(p.x) <= largest_raw_coordinate && std::abs(p.y) <= largest_raw_coordinate)) {
         return InputError{name, "", fmt::format("the map reaches ({:g}, {:g})", p.x, p.y), "coordinates within 1e9 m"};
       }
     }

@@ -211,7 +211,7 @@ class Drawing {
       std::vector<Vec2> points;
       for (const Vec2 p : subpath.points) {
         const Vec2 placed = level.transform.apply(p);
-        if (!(std::max(std::abs(placed.x), std::abs(placed.y)) <= largest_raw_coordinate)) return refused({fmt::format("it reaches ({:g}, {:g})", placed.x, placed.y), "coordinates within 1e9 m"});
+        if (!(std::abs(placed.x) <= largest_raw_coordinate && std::abs(placed.y) <= largest_raw_coordinate)) return refused({fmt::format("it reaches ({:g}, {:g})", placed.x, placed.y), "coordinates within 1e9 m"});
         if (points.empty() || points.back() != placed) points.push_back(placed);
       }
       points_ += points.size();

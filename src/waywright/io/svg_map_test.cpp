@@ -87,6 +87,11 @@ TEST(SvgMap, BadOnesAreRefusedInASentence) {
   EXPECT_NE(refusal("<!DOCTYPE svg [<!ENTITY a 'aaaa'>]><svg>&a;</svg>").find("entities"), std::string::npos);
   EXPECT_NE(refusal(drawing("<path d='M0 0h1v1z'/>", "viewBox='0 0 0 1'")).find("viewBox"), std::string::npos);
   EXPECT_NE(refusal(drawing("<g transform='scale(1e300)'><g transform='scale(1e300)'><rect width='1' height='1'/></g></g>")).find("it reaches"), std::string::npos);
+  // Infinite times nothing is no number, in y alone too.
+  for (const char* scale : {"scale(1,1e200)", "scale(1e200,1)"}) {
+    const std::string both = std::string{"<g transform='"} + scale + "'><g transform='" + scale + "'>";
+    EXPECT_NE(refusal(drawing(both + "<path fill='none' d='M0 0L0 0L0 0'/></g></g>")).find("it reaches"), std::string::npos) << scale;
+  }
   std::string deep;
   for (int i = 0; i < 200; ++i) deep += "<g>";
   EXPECT_NE(refusal(drawing(deep)).find("nested too deeply"), std::string::npos);

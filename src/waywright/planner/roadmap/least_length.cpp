@@ -38,14 +38,17 @@ LeastLength least_length(const PlaneSpace& space, Budget& budget) {
     least.is_straight = false;
   } else if (answer.ended == TangentEnd::unreachable) {
     least.is_unreachable = true;
+  } else {
+    least.is_cut_short = true;
   }
   return least;
 }
 
 std::string bound_sentence(const LeastLength& least, double metres) {
   if (least.is_unreachable || !(least.metres > 0.0)) return {};
-  const std::string how = least.is_straight ? std::string{"the straight line; the map has too many corners for a closer bound"}
-                                            : fmt::format("the shortest way of the disc of {:.3f} m that the footprint holds, whatever its heading, by a visibility graph", least.disc);
+  const std::string how = least.is_cut_short  ? std::string{"the straight line; the budget was over before a closer bound was found"}
+                          : least.is_straight ? std::string{"the straight line; the map has too many corners for a closer bound"}
+                                              : fmt::format("the shortest way of the disc of {:.3f} m that the footprint holds, whatever its heading, by a visibility graph", least.disc);
   return fmt::format("No path from start to goal can be shorter than {:.3f} m ({}): this one is at most {:.2f} % longer than the shortest.", least.metres, how,
                      std::max(0.0, metres / least.metres - 1.0) * 100.0);
 }

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "waywright/planner/roadmap/region_ends.hpp"
+
 namespace waywright {
 namespace {
 
 constexpr double straight = 1e-9;  // rad: a bend by less is none
+constexpr double on_circle = 1e-9;  // m
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr int clock_every = 16;  // expansions
 
@@ -26,7 +29,7 @@ struct Leaving {
 std::optional<Leaving> to_circle(Vec2 from, Vec2 center, double radius, bool is_left) {
   const Vec2 way = center - from;
   const double d = norm(way);
-  if (d < radius * (1.0 - 1e-9) || d == 0.0) return std::nullopt;
+  if (d < radius - std::max(on_circle, 1e-9 * radius) || d == 0.0) return std::nullopt;
   const double sine = std::min(1.0, radius / d), cosine = std::sqrt(1.0 - sine * sine);
   const Vec2 w = (1.0 / d) * way;
   return Leaving{cosine * w - (is_left ? sine : -sine) * left_of(w), cosine * d};
@@ -95,12 +98,20 @@ std::vector<std::pair<Vec2, Vec2>> TangentGraph::lines() const {
 /// A* over places where lines touch circles: what is left of the way cannot be shorter than the straight line. Whether a line is free is asked when its turn comes.
 class TangentSearch {
  public:
-  TangentSearch(const TangentGraph& graph, Vec2 start, const PlaneTarget& goal) : graph_{graph}, start_{start}, goal_{goal}, arrived_(2 * graph.corners_.size()) {}
+  TangentSearch(const TangentGraph& graph, Vec2 start, const PlaneTarget& goal) : graph_{graph}, start_{start}, goal_{goal}, ends_{region_ends(graph.space_, goal, graph.radius_, graph.margin_)}, arrived_(2 * graph.corners_.size()) {}
 
   TangentAnswer run(Budget& budget, std::optional<std::int64_t> most) {
     TangentAnswer answer;
-    const Vec2 direct = goal_.nearest(start_);
-    add({goal_side, none, {}, start_, direct, distance(start_, direct), true});
+    const auto add_direct = [&](Vec2 end) { add({goal_side, none, {}, start_, end, distance(start_, end), true}); };
+    add_direct(goal_.nearest(start_));
+    if (!goal_.is_point()) {
+      for (const Vec2 end : ends_) add_direct(end);
+      each_edge([&](Vec2 a, Vec2, Vec2 along, double length) {
+        const Vec2 edge = -left_of(along);
+        const double t = dot(start_ - a, edge);
+        if (t > 0.0 && t < length && dot(a - start_, along) > 0.0) add_direct(a + t * edge);
+      });
+    }
     for (std::uint32_t c = 0; c < graph_.corners_.size(); ++c) {
       for (const bool is_left : {false, true}) {
         const auto t = to_circle(start_, graph_.corners_[c].at, graph_.radius_, is_left);
@@ -163,6 +174,16 @@ class TangentSearch {
     visits_.push_back(visit);
   }
 
+  /// Of a region: ends, the direction straight at it from outside, length.
+  template <class Take>
+  void each_edge(const Take& take) const {
+    for (std::size_t i = 0; !goal_.is_point() && i < goal_.area.size(); ++i) {
+      const Vec2 a = goal_.area[i], b = goal_.area[(i + 1) % goal_.area.size()];
+      const double length = distance(a, b);
+      if (length > 0.0) take(a, b, left_of((1.0 / length) * (b - a)), length);
+    }
+  }
+
   /// rad along the arc, in the direction in which the side is driven. Law of arcs that are no whole circle: under 0 where `to` lies before `from`.
   double along_arc(std::uint32_t side, Vec2 from, Vec2 to) const {
     const bool is_left = side % 2 == 1;
@@ -212,22 +233,18 @@ class TangentSearch {
     const std::uint32_t c = visit.side / 2;
     const bool is_left = visit.side % 2 == 1;
     // To points of the goal: as from there to the circle, the other way round.
-    for (const Vec2 corner : goal_.area) {
-      const auto t = to_circle(corner, graph_.corners_[c].at, graph_.radius_, !is_left);
-      if (t) leave_to_goal(at, visit, -t->along, corner, t->length);
+    for (const Vec2 end : ends_) {
+      const auto t = to_circle(end, graph_.corners_[c].at, graph_.radius_, !is_left);
+      if (t) leave_to_goal(at, visit, -t->along, end, t->length);
     }
     // To edges of it: straight at them.
-    for (std::size_t i = 0; !goal_.is_point() && i < goal_.area.size(); ++i) {
-      const Vec2 a = goal_.area[i], b = goal_.area[(i + 1) % goal_.area.size()];
-      const double edge = distance(a, b);
-      if (!(edge > 0.0)) continue;
-      const Vec2 along = left_of((1.0 / edge) * (b - a));
+    each_edge([&](Vec2 a, Vec2 b, Vec2 along, double edge) {
       const Vec2 from = graph_.touching(c, is_left, along);
       const double off = dot(a - from, along);
       const Vec2 foot = from + off * along;
       const double share = dot(foot - a, b - a);
       if (off >= 0.0 && share >= 0.0 && share <= edge * edge) leave_to_goal(at, visit, along, foot, off);
-    }
+    });
     const auto go = [&](const TangentGraph::Tangent& t, bool is_asked) {
       const Vec2 from = graph_.touching(c, is_left, t.along);
       leave(at, visit, TangentGraph::side(t.to, t.to_left), t.along, from, from + t.length * t.along, t.length, is_asked);
@@ -260,6 +277,7 @@ class TangentSearch {
   const TangentGraph& graph_;
   Vec2 start_;
   const PlaneTarget& goal_;
+  const std::vector<Vec2> ends_;  // points of it
   std::vector<std::vector<std::uint32_t>> arrived_;
   std::vector<Visit> visits_;
   std::vector<Open> open_;

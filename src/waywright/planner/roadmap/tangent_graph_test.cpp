@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -179,6 +180,87 @@ TEST(TangentGraph, PointsWallsAndRegions) {
   EXPECT_EQ(through.way.bends.size(), 1U);
   const TangentGraph wide{space, 0.65, 0.6499};
   EXPECT_EQ(wide.shortest({1.0, 1.0}, target_of(problem, {}), budget).ended, TangentEnd::unreachable);  // 0.8 m over the point
+}
+
+/// Obstacles lie across the edges of goal regions, so that ways end where they slide into one, at no corner of it and not straight at an edge.
+TEST(TangentGraph, OfARegionAsOfTheNearestOfManyPlacesOnItsEdge) {
+  Random random{43};
+  constexpr double spacing = 0.02, radius = 0.3, margin = 0.29999;
+  int found = 0, bent = 0, near = 0;
+  for (int map = 0; map < 150; ++map) {
+    Scenario s = hall(random, 0.2, 6);
+    Ring area = convex_hull({{random.uniform(4, 9), random.uniform(3, 7)}, {random.uniform(4, 9), random.uniform(1, 7)}, {random.uniform(4, 9), random.uniform(1, 7)}, {random.uniform(4, 9), random.uniform(1, 7)}});
+    // Every second one with a notch.
+    if (map % 2 == 0) area.insert(area.begin() + 1, 0.5 * (0.5 * (area[0] + area[1]) + 0.25 * (area[0] + area[1] + area[2] + area.back())));
+    s.map.points = {0.5 * (area[0] + area.back()), 0.3 * area[0] + 0.7 * area.back()};
+    s.mission = FreeGoal{area};
+    const auto prepared = Problem::prepare(s);
+    if (!prepared) continue;
+    const Problem& problem = *prepared;
+    const PlaneSpace space{problem};
+    const PlaneTarget target = target_of(problem, {});
+    if (target.is_point() || !space.is_free(s.start.position(), 0.31) || contains(area, s.start.position())) continue;
+    const TangentGraph graph{space, radius, margin, Rounding::optimistic};
+    Budget budget;
+    const TangentAnswer answer = graph.shortest(s.start.position(), target, budget);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < area.size(); ++i) {
+      const Vec2 a = area[i], b = area[(i + 1) % area.size()];
+      const int steps = static_cast<int>(std::ceil(distance(a, b) / spacing));
+      for (int k = 0; k < steps; ++k) {
+        const Vec2 place = a + (static_cast<double>(k) / steps) * (b - a);
+        if (!space.is_free(place, radius)) continue;
+        const TangentAnswer there = graph.shortest(s.start.position(), {{place}}, budget);
+        if (there.ended == TangentEnd::found) nearest = std::min(nearest, there.way.length);
+      }
+    }
+    if (answer.ended != TangentEnd::found) {
+      ASSERT_FALSE(std::isfinite(nearest)) << map;
+      continue;
+    }
+    ASSERT_LE(answer.way.length, nearest + 1e-9) << map;
+    // And it is a way to a free place of the region. (Those may miss a narrow one.)
+    ASSERT_TRUE(space.is_free(answer.way.goal, margin)) << map;
+    ASSERT_LT(distance(target.nearest(answer.way.goal), answer.way.goal), 1e-9) << map;
+    ASSERT_NEAR(graph.shortest(s.start.position(), {{answer.way.goal}}, budget).way.length, answer.way.length, 1e-6) << map;
+    near += answer.way.length > nearest - 3.0 * spacing ? 1 : 0;
+    ++found;
+    bent += answer.way.bends.empty() ? 0 : 1;
+  }
+  EXPECT_GT(found, 60);
+  EXPECT_GT(bent, 10);
+  EXPECT_GT(near, 9 * found / 10);
+}
+
+TEST(LeastLength, ARegionThatAnObstacleShutsWhereItIsNearest) {
+  Scenario s;
+  s.map.boundaries = {rectangle({-10, -10}, {10, 10})};
+  s.map.points = {{0.0, 0.0}};
+  s.vehicle.drive = Differential{0.5};
+  s.vehicle.footprint = {{}, 0.3};
+  s.start = {-3.0, 0.0, 0.0};
+  s.mission = FreeGoal{rectangle({-0.15, -5}, {5, 5})};
+  const Problem problem = Problem::prepare(s).value();
+  Budget budget;
+  const LeastLength least = least_length(PlaneSpace{problem}, budget);
+  // Straight to where the region's edge is 0.3 m from the point.
+  EXPECT_NEAR(least.metres, std::hypot(2.85, std::sqrt(0.3 * 0.3 - 0.15 * 0.15)), 1e-5);
+  EXPECT_FALSE(least.is_straight);
+}
+
+TEST(LeastLength, SaysWhyItIsOnlyTheStraightLine) {
+  Random random{5};
+  Scenario s = hall(random, 0.2, 0);
+  s.map.obstacles = {rectangle({3, 0.5}, {4, 8}), rectangle({6, 0}, {7, 7})};
+  const Problem problem = Problem::prepare(s).value();
+  const std::atomic<bool> cancel{true};
+  Budget canceled{{}, &cancel}, all;
+  const LeastLength straight = least_length(PlaneSpace{problem}, canceled), bent = least_length(PlaneSpace{problem}, all);
+  EXPECT_TRUE(straight.is_cut_short);
+  EXPECT_NEAR(straight.metres, distance(problem.start().position(), problem.goal().position()), 1e-12);
+  EXPECT_NE(bound_sentence(straight, 20.0).find("the budget was over"), std::string::npos);
+  EXPECT_FALSE(bent.is_cut_short);
+  EXPECT_GT(bent.metres, straight.metres + 1.0);
 }
 
 TEST(LeastLength, NoShorterThanStraightAndNoLongerThanWhatIsDriven) {

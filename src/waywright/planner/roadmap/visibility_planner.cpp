@@ -92,7 +92,7 @@ class VisibilityPlanner::Ready {
     const std::string turns = turning.turns == 0 ? std::string{"it never turns on the spot"}
                                                  : fmt::format("it turns on the spot {}, {:.1f}° in all", turning.turns == 1 ? std::string{"once"} : fmt::format("{} times", turning.turns),
                                                                turning.angle * 180.0 / pi);
-    if (way.bends.empty()) return fmt::format("Nothing stands on the straight line; {}.", turns);
+    if (way.bends.empty()) return fmt::format("It is one straight line; {}.", turns);
     const bool arcs = drives_arcs(space_.problem().vehicle(), graph_->radius());
     return fmt::format("It bends around {}, {}; {}.", grid::counted(static_cast<std::int64_t>(way.bends.size()), "corner"),
                        arcs ? fmt::format("each on an arc of {:.3f} m", graph_->radius()) : std::string{"each by corners around an arc that is too tight to drive"}, turns);

@@ -11,16 +11,26 @@ namespace {
 
 /// rad: a turn that is a full one but for rounding is none. Rounding grows where ends are near to each other; what is left out moves the end by as much as the way is long.
 constexpr double full_turn_slack = 5e-10;
+constexpr double most_slack = 1e-3;        // rad, of any turn
 constexpr double no_distance = 1e-10;      // radii: between centres that are one but for rounding
 constexpr double least_gain = 1e-11;       // radii: a longer word of no less length is no better
 
 constexpr int left = 1, right = -1, straight = 0;
 
-/// In [0, 2π). `reach`: radii, of what comes after the turn.
+/// In [0, 2π].
+double forwards(double angle) {
+  const double turn = wrap(angle);
+  return turn < 0.0 ? turn + two_pi : turn;
+}
+/// The same, but 0 where rounding may have made a full turn of none. `reach`: radii, of what comes after the turn.
 double forwards(double angle, double reach) {
-  double turn = wrap(angle);
-  if (turn < 0.0) turn += two_pi;
+  const double turn = forwards(angle);
   return turn >= two_pi - full_turn_slack / (1.0 + reach) ? 0.0 : turn;
+}
+/// A turn beside a straight part of `r` radii that is none or a full one but for rounding.
+bool is_none(double turn, double r) {
+  const double slack = std::min(most_slack, full_turn_slack / r);
+  return turn <= 0.0 || turn >= two_pi - slack;
 }
 
 double arc_cosine(double c) { return arc_tangent(std::sqrt((1.0 - c) * (1.0 + c)), c); }
@@ -61,7 +71,15 @@ class Search {
         offer({{left, forwards(g.heading, 0.0)}});
       } else {
         const double course = angle_of(between);
-        offer({{left, forwards(course, r)}, {straight, r}, {left, forwards(g.heading - course, 0.0)}});
+        const double before = forwards(course), after = forwards(g.heading - course);
+        // The nearer the centres, the more rounding is in the course: one turn is none and the other all of it, so that the heading stays exact.
+        if (is_none(before, r)) {
+          offer({{straight, r}, {left, forwards(g.heading, 0.0)}});
+        } else if (is_none(after, r)) {
+          offer({{left, forwards(g.heading, 0.0)}, {straight, r}});
+        } else {
+          offer({{left, before}, {straight, r}, {left, after}});
+        }
         if (r <= 4.0) {
           // The middle circle touches both: its centre is the top of a triangle with sides 2, 2, r.
           const double base = arc_cosine(0.25 * r);

@@ -19,8 +19,8 @@ struct DubinsWord {
 
 /// Curves of one turning radius, from the elementary functions of core/: the same bits on every processor.
 ///
-/// Laws: the pieces start at `from` and end within 1e-9 (m, rad) of `to` for radii up to some metres; their lengths add up to
-/// distance(from, to) up to 1e-9 m; every curvature is exactly 0 or ±1/radius, every direction forwards; never shorter than
+/// Laws: the pieces start at `from` and end within 2e-9 radii and 1e-9 rad of `to`; their lengths add up to distance(from, to)
+/// up to 1e-9 m; every curvature is exactly 0 or ±1/radius, every direction forwards; never shorter than
 /// the Reeds–Shepp curve; both poses mirrored, or exchanged and turned about, keep the length. No metric: the way back is
 /// another one.
 class Dubins {

@@ -84,6 +84,26 @@ TEST(Dubins, SpecialPoses) {
   EXPECT_NEAR(curves.distance({0, 0, 0.0}, {0, 0, pi}), 2.0 * (pi / 3.0 * 2.0 + 5.0 * pi / 3.0), 1e-9);  // turned about: 60°, 300°, 60°
 }
 
+/// The shorter the straight part, the less is known of its direction: no turn beside it may become a full one.
+TEST(Dubins, NoWayIsLongerThanOneOfAnArcAndAStraightPartHoweverShort) {
+  Random random{35};
+  for (int i = 0; i < 100000; ++i) {
+    const double radius = random.uniform(0.2, 3.0);
+    const Dubins curves{radius};
+    const Pose from = random_pose(random, 10.0);
+    const double turn = random.uniform(0.0, 3.0), way = radius * std::pow(10.0, random.uniform(-12.0, 0.0));
+    const TurningPart arc{random.uniform() < 0.5 ? 1 : -1, turn}, line{0, way / radius};
+    const auto parts = i % 2 == 0 ? std::array{arc, line} : std::array{line, arc};
+    Pose to = from;
+    for (const TurningPart& part : parts) {
+      const double heading = to.heading + 0.5 * part.side * part.length;
+      const double chord = radius * (part.side == 0 ? part.length : 2.0 * std::sin(0.5 * part.length));
+      to = make_pose(to.position() + chord * unit(heading), wrap(to.heading + part.side * part.length));
+    }
+    ASSERT_LE(curves.distance(from, to), radius * turn + way + 1e-8) << "turn " << turn << ", way " << way;
+  }
+}
+
 TEST(Dubins, AsLongAsTheLibrarysOfOthers) {
   namespace ob = ompl::base;
   Random random{34};

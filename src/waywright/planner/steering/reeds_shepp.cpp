@@ -13,6 +13,8 @@ namespace {
 constexpr double least_segment = 1e-10;  // m: what is shorter is rounding of the words' angles, not a piece
 constexpr double least_part = 1e-9;      // m
 constexpr double sign_slack = 1e-12;     // radii: a length of the wrong sign by no more is 0
+constexpr double rounding = 1e-11;       // radii: what a turn of the wrong sign may move the end by
+constexpr double most_slack = 1e-3;      // rad, of such a turn
 constexpr double least_gain = 1e-11;     // radii: a longer word of no less length is no better
 
 constexpr int left = 1, right = -1, straight = 0;
@@ -87,7 +89,15 @@ class Search {
     {  // 8.1: L+ S+ L+
       const auto [u, t] = polar(g.x - g.sin, g.y - 1.0 + g.cos);
       const double v = wrap(g.heading - t);
-      if (t >= -sign_slack && v >= -sign_slack) offer({{left, t}, {straight, u}, {left, v}});
+      // The nearer the centres, the more rounding is in the angle: one turn is none and the other all of it, so that the heading stays exact.
+      const double slack = std::max(sign_slack, std::min(most_slack, rounding / u));
+      if (t >= -sign_slack && v >= -sign_slack) {
+        offer({{left, t}, {straight, u}, {left, v}});
+      } else if (std::abs(t) <= slack && g.heading >= -sign_slack) {
+        offer({{straight, u}, {left, g.heading}});
+      } else if (std::abs(v) <= slack && g.heading >= -sign_slack) {
+        offer({{left, g.heading}, {straight, u}});
+      }
     }
     {  // 8.2: L+ S+ R+
       const auto [r, angle] = polar(g.x + g.sin, g.y - 1.0 - g.cos);

@@ -71,6 +71,26 @@ TEST(ReedsShepp, LengthIsThatOfAnotherImplementationAndTheSameBothWays) {
   }
 }
 
+/// Between near ends an angle is all rounding: a short straight part beside an arc must not be lost to it.
+TEST(ReedsShepp, NoWayIsLongerThanOneOfAnArcAndAStraightPartHoweverShort) {
+  Random random{6};
+  for (int i = 0; i < 100000; ++i) {
+    const double metres = random.uniform(0.2, 3.0);
+    const ReedsShepp curves{metres};
+    const Pose from = random_pose(random, 10.0);
+    const double turn = random.uniform(-1.5, 1.5) * (i % 4 == 0 ? 1e-6 : 1.0), way = std::pow(10.0, random.uniform(-12.0, 0.0)) * (random.uniform() < 0.5 ? -1.0 : 1.0);
+    const int side = random.uniform() < 0.5 ? 1 : -1;
+    const auto parts = i % 2 == 0 ? std::array{TurningPart{side, turn}, TurningPart{0, way}} : std::array{TurningPart{0, way}, TurningPart{side, turn}};
+    Pose to = from;
+    for (const TurningPart& part : parts) {
+      const double chord = metres * (part.side == 0 ? part.length : 2.0 * std::sin(0.5 * part.length));
+      to = make_pose(to.position() + chord * unit(to.heading + 0.5 * part.side * part.length), wrap(to.heading + part.side * part.length));
+    }
+    // Rounding to the side costs its root.
+    ASSERT_LE(curves.distance(from, to), metres * (std::abs(turn) + std::abs(way)) + 5e-7) << "turn " << turn << ", way " << way;
+  }
+}
+
 TEST(ReedsShepp, KnownShortestCurves) {
   const ReedsShepp curves{radius};
   const Pose origin{};

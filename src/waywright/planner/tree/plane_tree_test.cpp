@@ -221,5 +221,16 @@ TEST(ImprovedWay, ComesNearTheShortest) {
   EXPECT_LT(sum / runs, 1.05 * least);
 }
 
+TEST(ImprovedWay, KeepsNoMoreForPicturesThanAreDrawn) {
+  const Problem problem = walls();
+  const PlaneSpace space{problem};
+  Budget budget;
+  Grown grown;
+  const std::vector<Vec2> way = grown.grow(space, {.radius = 1.5, .first_path = true}, 1).way();
+  const ImprovedWay improved = improved_way(way, space, {.iterations = 100}, 12, 1, budget);
+  EXPECT_GT(improved.rounds, 1);
+  EXPECT_EQ(improved.agents.size(), WhaleRefinement::most_drawn);
+}
+
 }  // namespace
 }  // namespace waywright

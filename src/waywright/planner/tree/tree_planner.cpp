@@ -19,7 +19,6 @@ namespace {
 using grid::counted;
 
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
-constexpr std::size_t most_swarms = 40;  // in a picture
 
 std::vector<Pose> picture_of(const std::vector<Vec2>& points) {
   std::vector<Pose> poses;
@@ -43,7 +42,6 @@ void draw_swarm(SearchPicture& picture, const std::vector<std::vector<std::vecto
   for (const auto& agents : iterations) {
     picture.swarms.push_back({agents, picture.steps});
     picture.steps += each;
-    if (picture.swarms.size() >= most_swarms) break;
   }
   const std::size_t per_way = std::max<std::size_t>(1, picture.swarms.size() / std::max<std::size_t>(1, ways.size()));
   for (std::size_t i = 0; i < ways.size(); ++i) picture.ways.push_back({ways[i], first + static_cast<std::uint32_t>((i + 1) * per_way) * each});

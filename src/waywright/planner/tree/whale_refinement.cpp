@@ -31,7 +31,7 @@ bool WhaleRefinement::is_free(const double* corners) {
 }
 
 void WhaleRefinement::draw(int population) {
-  if (drawn_ == nullptr) return;
+  if (drawn_ == nullptr || drawn_->size() >= most_drawn) return;
   std::vector<std::vector<Vec2>>& agents = drawn_->emplace_back();
   for (int i = 0; i < population; ++i) {
     const double* const a = agents_.data() + static_cast<std::size_t>(i) * 2 * corners_;

@@ -1,6 +1,7 @@
 // The RRT*-WOA publication's global variant: the whale optimisation algorithm moves the corners of a way.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -30,7 +31,8 @@ class WhaleRefinement {
   /// @pre the way is free, two points at least. Ends early, with the best so far, where the budget's clock or flag says so.
   std::vector<Vec2> refined(const std::vector<Vec2>& way, const PlaneSpace& space, const WhaleRefinementOptions& options, std::uint64_t seed, Budget& budget);
 
-  /// From now on where agents were after each iteration is kept for pictures: of every run, one after another.
+  static constexpr std::size_t most_drawn = 40;  ///< iterations that are kept for pictures
+  /// From now on where agents were after each iteration is kept for pictures: of every run, one after another, up to `most_drawn`.
   void draw_into(std::vector<std::vector<std::vector<Vec2>>>* iterations) { drawn_ = iterations; }
 
   std::int64_t evaluations() const { return evaluations_; }  ///< of the last call
