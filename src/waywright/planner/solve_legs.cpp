@@ -1,5 +1,6 @@
 #include "waywright/planner/solve_legs.hpp"
 
+#include "waywright/judge/left_behind.hpp"
 #include "waywright/judge/legs.hpp"
 
 namespace waywright {
@@ -45,6 +46,7 @@ Parsed<Plan> solve_legs(const Scenario& scenario, const std::atomic<bool>* cance
     auto plan = solve(*problem, cancel);
     if (!plan) return tl::unexpected{error_of_leg(mission, begin, plan.error())};
     plan->reason = told_of_load(mission, begin, {plan->status, plan->reason}).reason;
+    judge_left_behind(mission, begin, *problem, *plan);
     const LegBegin next = next_leg(mission, begin, end_of(*problem, plan->path));
     if (next.index == mission.legs.size() && !plan->path.pieces.empty()) {
       const auto load = check_last_load(mission, next, of_map);

@@ -42,6 +42,7 @@ std::vector<LegView> leg_views(const Plan& plan, bool with_clearance) {
     }
     if (problem->free_goal() != nullptr && !view.samples.empty()) view.last = view.samples.back().pose();
     begin = next_leg(mission, begin, view.last);
+    if (!view.samples.empty() && !begin.left.empty() && begin.left.back().leg == i) view.set_down = outline_of(mission, begin.left.back());
   }
   return views;
 }

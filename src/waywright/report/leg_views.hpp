@@ -17,6 +17,7 @@ struct LegView {
   double required = 0.0;         ///< m of clearance
   double margin = 0.0;           ///< m of it, for the pose error
   std::vector<Spot> blocked;     ///< of a leg that failed
+  Ring set_down;                 ///< the load that is left where it ends; empty: none
 };
 
 /// Of the legs that the plan tells of, in order; fewer where its scenario cannot be prepared. `plan` outlives them.

@@ -34,6 +34,11 @@ class MissionScene {
       for (const LegView& leg : legs_) draw_sweep(svg_, leg.footprint, leg.samples);
       for (const LegView& leg : legs_) draw_load(leg);
     }
+    for (const LegView& leg : legs_) {
+      if (leg.set_down.empty()) continue;
+      svg_.polygon(leg.set_down, "setdown");
+      set_down_ = true;
+    }
     for (std::size_t i = 0; i < legs_.size(); ++i) draw_under(i);
     for (const LegView& leg : legs_) draw_path(svg_, leg.samples);
     if (!is_small) {
@@ -63,6 +68,7 @@ class MissionScene {
     if (is_long()) entries.push_back({"", Shape::none, "so long a way is drawn without what is swept"});
     else entries.push_back({"sweep", Shape::box, "swept by the footprint"});
     if (loads_) entries.push_back({"load", Shape::box, "load, where it is carried"});
+    if (set_down_) entries.push_back({"setdown", Shape::box, "load, where it is set down: an obstacle to later legs"});
     if (turns_) entries.push_back({"stop", Shape::square, "change between forwards and backwards"});
     if (waypoints_) entries.push_back({"waypoint", Shape::dot, "waypoints of a leg, in order"});
     if (stations_) {
@@ -255,7 +261,7 @@ class MissionScene {
   Canvas canvas_;
   SvgWriter svg_;
   std::vector<Vec2> numbers_;  ///< px, where the legs' numbers stand
-  bool numbered_ = false, stations_ = false, regions_ = false, loads_ = false, turns_ = false, waypoints_ = false, blocked_ = false, tight_ = false, spots_ = false;
+  bool numbered_ = false, stations_ = false, regions_ = false, loads_ = false, set_down_ = false, turns_ = false, waypoints_ = false, blocked_ = false, tight_ = false, spots_ = false;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "waywright/core/result.hpp"
+#include "waywright/scenario/left_load.hpp"
 #include "waywright/scenario/problem.hpp"
 
 namespace waywright {
@@ -16,6 +17,7 @@ struct LegBegin {
   std::size_t index = 0;  ///< of the leg; one past the last: where the mission has ended
   Pose pose{};
   std::string load;       ///< empty: none
+  std::vector<LeftLoad> left{};  ///< what was set down on legs before, and stands there
 };
 
 LegBegin first_leg(const Scenario& mission);
@@ -33,7 +35,8 @@ const PlannerChoice& planner_of(const Scenario& mission, const Leg& leg);
 InputError error_of_leg(const Scenario& mission, const LegBegin& leg, InputError error);
 
 /// The leg as a scenario of its own. What every leg shares goes with it: vehicle, clearance, pose error, budget (each leg has the whole of it),
-/// seed, map. The shelves of the other legs' stations stand on its map, since they are there all the time.
+/// seed, map. The shelves of the other legs' stations stand on its map, since they are there all the time, and so do loads that were set down on
+/// legs before, once the vehicle has got clear of them.
 Scenario leg_scenario(const Scenario& mission, const LegBegin& leg);
 
 /// Ready to be planned; `of_map` is World{mission.map}, not built. Refuses a way out of a shelf that does not begin where the vehicle stands.
