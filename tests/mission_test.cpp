@@ -153,6 +153,37 @@ TEST(Mission, ALoadThatDoesNotFitWhereItIsTakenIsTold) {
   EXPECT_EQ(solve_legs(s).value().status, Status::solved);
 }
 
+/// Loads are exchanged where the vehicle stands: by a tricycle, which turns on no spot, and by whatever planner.
+TEST(Mission, ALegMayChangeTheLoadWhereItStands) {
+  for (const char* planner : {"pattern_docking", "ompl_rrt_connect", "clearance_optimal"}) {
+    Scenario s = example_mission();
+    s.legs.resize(3);
+    for (Leg& leg : s.legs) leg = Leg{};
+    s.planner = PlannerChoice{planner, {}};
+    s.start = {8.8, 6.6, 0.0};
+    s.carried_load = "pallet";
+    s.legs[0].mission = s.start;
+    s.legs[0].load = "";
+    s.legs[1].mission = s.start;
+    s.legs[1].load = "crosswise pallet";
+    s.legs[2].mission = Pose{10.8, 6.6, 0.0};
+    s.legs[2].planner = PlannerChoice{"ompl_rrt_connect", {}};
+    const Plan plan = solve_legs(s).value();
+    ASSERT_EQ(plan.legs.size(), 3U) << planner << plan.reason;
+    EXPECT_EQ(plan.legs[0].status, Status::solved) << plan.reason;
+    EXPECT_EQ(plan.legs[0].metrics.length, 0.0);
+    EXPECT_EQ(plan.legs[0].metrics.travel_time, 0.0);
+    EXPECT_EQ(plan.legs[2].load, "crosswise pallet");
+    ASSERT_EQ(plan.status, Status::solved) << plan.reason;
+    const auto read = parse_plan(plan_json(plan), "plan.json");
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_TRUE(verify(*read).value().holds) << verify(*read).value().findings.front();
+    s.map.points.push_back({8.8, 6.6 + 0.55});  // beside the truck and its pallet, inside of the crosswise one
+    const Plan blocked = solve_legs(s).value();
+    EXPECT_EQ(blocked.status, Status::start_in_collision) << blocked.reason;
+  }
+}
+
 class MissionOnTheCommandLine : public test::CommandLine {
  protected:
   test::Json mission() const {

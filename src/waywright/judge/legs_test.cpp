@@ -433,6 +433,10 @@ TEST(Legs, WhatIsWrongIsOneSentenceThatNamesTheLeg) {
   EXPECT_EQ(wrong([](Scenario&) {}), "accepted");
   EXPECT_EQ(wrong([](Scenario& s) { s.legs[0].load = "barrel"; }), "legs[0].load: the vehicle has no load \"barrel\" (allowed: crate)");
   EXPECT_EQ(wrong([](Scenario& s) { s.legs[2].load = "barrel"; }), "legs[2].load: the vehicle has no load \"barrel\" (allowed: crate)");
+  EXPECT_EQ(wrong([](Scenario& s) { s.carried_load = "crate"; }),
+            "legs[0].load: \"crate\" is taken while \"crate\" is carried, from the beginning (allowed: a load where none is carried: let a leg before it end with \"load\": null)");
+  EXPECT_EQ(wrong([](Scenario& s) { s.vehicle.loads["box"] = s.vehicle.loads["crate"], s.legs[1].load = "box"; }),
+            "legs[1].load: \"box\" is taken while \"crate\" is carried, since leg 1 (allowed: a load where none is carried: let a leg before it end with \"load\": null)");
   EXPECT_EQ(wrong([](Scenario& s) { s.carried_load = "barrel"; }), "carried_load: the vehicle has no load \"barrel\" (allowed: crate)");
   EXPECT_EQ(wrong([](Scenario& s) { s.legs[1].waypoints = {{3.0, 4.0}}; }).rfind("legs[1].goal: it is 0.0000 m from waypoints[0]", 0), 0U);
   EXPECT_EQ(wrong([](Scenario& s) { s.legs.resize(most_legs + 1, s.legs[0]); }), "legs: there are 1001 (allowed: at most 1000)");

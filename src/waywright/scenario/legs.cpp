@@ -75,6 +75,13 @@ LegBegin next_leg(const Scenario& mission, const LegBegin& leg, const Pose& end)
   return {leg.index + 1, end, mission.legs[leg.index].load.value_or(leg.load), left_after(mission, leg.index, leg.left, leg.load, end)};
 }
 
+bool is_standing(const Scenario& mission, const LegBegin& begin) {
+  const Leg& leg = mission.legs[begin.index];
+  const auto* goal = std::get_if<Pose>(&leg.mission);
+  if (goal == nullptr || !leg.load || !leg.waypoints.empty() || (begin.index == 0 && mission.start_motion.speed != 0.0)) return false;
+  return distance(goal->position(), begin.pose.position()) <= same_place && std::abs(shorter_turn(goal->heading, begin.pose.heading)) <= same_place;
+}
+
 std::string leg_label(const Scenario& mission, std::size_t index) {
   const std::string& name = mission.legs[index].name;
   return fmt::format("leg {} of {}{}", index + 1, mission.legs.size(), name.empty() ? "" : " (" + name + ")");
@@ -157,6 +164,13 @@ Parsed<void> check_legs(const Scenario& mission) {
       problem = prepare_leg(direct, begin, empty);
     }
     if (!problem) return tl::unexpected{problem.error()};
+    const std::string taken = mission.legs[begin.index].load.value_or("");
+    if (!taken.empty() && !begin.load.empty()) {
+      const auto since = load_changed_by(mission, begin.index);
+      return tl::unexpected{InputError{"", fmt::format("legs[{}].load", begin.index),
+                                       fmt::format("\"{}\" is taken while \"{}\" is carried, {}", taken, begin.load, since ? fmt::format("since leg {}", *since + 1) : std::string{"from the beginning"}),
+                                       "a load where none is carried: let a leg before it end with \"load\": null"}};
+    }
     begin = next_leg(without_map, begin, problem->last_pose());
   }
   if (const auto last = check_last_load(without_map, begin, empty); !last) return tl::unexpected{last.error()};
