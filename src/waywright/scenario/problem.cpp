@@ -2,6 +2,7 @@
 #include "waywright/core/elementary.hpp"
 #include "waywright/geometry/boolean.hpp"
 #include "waywright/path/remainder.hpp"
+#include "waywright/scenario/blocked_region.hpp"
 #include "waywright/scenario/outline.hpp"
 
 #include <fmt/format.h>
@@ -268,6 +269,9 @@ std::optional<Failure> Problem::check_ends() const {
     if (!is_start && free_goal() != nullptr) {
       // Whether one of many poses is free, the search finds; not where not even the largest disc in the footprint is, whatever it faces.
       const Footprint inside{{}, footprint_.inner_radius()};
+      if (!free_goal()->is_point()) {
+        if (auto blocked = blocked_region(world_, free_goal()->area, inside.disc, required)) return blocked;
+      }
       if (!free_goal()->is_point() || !(inside.disc > 0.0)) break;
       const Contact contact = world_.clearance(inside, goal(), required + 1.0);
       if (contact.clearance == 0.0 || contact.clearance < required - 1e-9) return end_failure(world_, contact, goal(), false, required);
