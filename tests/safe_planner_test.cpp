@@ -206,9 +206,10 @@ TEST(SafePlanner, RefusesWhatCannotTurnOnTheSpot) {
   Scenario s = published("SA-RAND1");
   s.vehicle.drive = Tricycle{1.0, 1.0};
   for (const char* name : {"danger_astar", "block_astar", "safe_astar"}) {
-    const Plan plan = planned(s, name);
-    EXPECT_EQ(plan.status, Status::no_path);
-    EXPECT_EQ(plan.reason, std::string{name} + " plans straight lines with turns on the spot, which a tricycle cannot drive");
+    const auto taken = check_mission(name, s);
+    ASSERT_FALSE(taken);
+    EXPECT_EQ(taken.error().message().rfind("planner.name: " + std::string{name} + " plans straight lines with turns on the spot, which a tricycle cannot drive (allowed: ", 0), 0U)
+        << taken.error().message();
   }
 }
 
