@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "waywright/judge/judge.hpp"
+#include "waywright/planner/blocking_zones.hpp"
 #include "waywright/planner/registry.hpp"
 #include "waywright/planner/solve_words.hpp"
 
@@ -48,6 +49,9 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
                                                              : "This path is not proven: " + plan.reason + ".");
   } else {
     plan = failed_plan(problem, result.error().failure);
+    if (plan.status == Status::no_path && !budget.cut_short() && !budget.canceled()) {
+      if (const std::string zones = blocking_zones_words(problem, *description, *parameters, cancel); !zones.empty()) plan.reason = zones + "; with them " + plan.reason;
+    }
     plan.explanation = std::move(result.error().explanation);
     plan.alternatives = std::move(result.error().alternatives);
     plan.search = std::move(result.error().search);
