@@ -208,6 +208,21 @@ TEST_F(MissionOnTheCommandLine, OnePlanFileAndOneReportForTheWhole) {
   EXPECT_NE(found.out.find("leg 2 of 3 (out of the goods): its record says that no load is carried"), std::string::npos) << found.out;
 }
 
+/// Where there is neither a fork nor a station, no sentence tells of one.
+TEST_F(MissionOnTheCommandLine, ACarrierIsPlannedForAsOne) {
+  test::Json s = mission();
+  s["vehicle"] = example("vehicles/trolley_agv.json");
+  s["legs"] = {{{"goal", {9.5, 12.0, 0.0}}}, {{"goal", {4.0, 12.0, 3.1}}}};
+  s["start"] = {4.0, 5.0, 0.0};
+  auto o = run("plan " + write(s) + " -o out");
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
+  EXPECT_NE(o.out.find("Leg 2 of 2, without a load, by astar: "), std::string::npos) << o.out;
+  s["planner"] = {{"name", "pattern_docking"}};
+  o = run("plan " + write(s) + " -o out");
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
+  for (const char* word : {"fork", "docked", "docking pattern"}) EXPECT_EQ(o.out.find(word), std::string::npos) << word << "\n" << o.out;
+}
+
 TEST_F(MissionOnTheCommandLine, ASiteMayHaveSuchMissions) {
   const auto o = run("check " + write(mission()) + " -o site");
   EXPECT_EQ(o.status, 0) << o.out << o.err;

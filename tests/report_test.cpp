@@ -217,6 +217,12 @@ TEST(Words, ReasonAndExplanationDoNotRepeatEachOther) {
   EXPECT_EQ(reason_once(plan, true), "No pattern fits; the second choice found none either.");
 }
 
+TEST(Words, APlannersNameStaysAsItIs) {
+  EXPECT_EQ(as_sentence("astar found nothing", "astar"), "astar found nothing.");
+  EXPECT_EQ(as_sentence("no way leads there", "astar"), "No way leads there.");
+  EXPECT_EQ(as_sentence("", "astar"), "");
+}
+
 TEST(Words, WorkThatWasCutShortIsSaid) {
   Plan plan;
   EXPECT_TRUE(warnings(plan).empty());
