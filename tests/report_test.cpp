@@ -155,7 +155,23 @@ TEST(Report, ShowsEveryZoneWithItsRule) {
   EXPECT_GE(count_of(r.svg, "class=\"zonearrowhead\""), 2U);
   for (const char* text : {"aisle east", "picking, × 3", "main road, × 0.6", "crossing, 0.3 m/s", "charging", "one way, along the arrows"}) EXPECT_NE(r.svg.find(text), std::string::npos) << text;
   for (const char* text : {"zone &quot;crossing&quot;", "at most 0.3 m/s", "one way, 180.0°", "Zones weigh"}) EXPECT_NE(r.html.find(text), std::string::npos) << text;
-  EXPECT_EQ(count_of(report("grid_tugger.json").svg, "<polygon class=\"zone"), 0U);
+  // The limit of the zone in the speed's chart, in both widths; where the vehicle turns on the spot, in every chart.
+  EXPECT_EQ(count_of(r.html, "<polyline class=\"ceiling\""), 2U);
+  EXPECT_NE(r.html.find("stepped line of the speed: limit of a zone"), std::string::npos);
+  EXPECT_NE(r.html.find("pink line: turn on the spot"), std::string::npos);
+  EXPECT_GE(count_of(r.html, "<line class=\"spin\""), 6U);
+  const Reported tugger = report("grid_tugger.json");
+  EXPECT_EQ(tugger.html.find("limit of a zone"), std::string::npos);
+  EXPECT_EQ(report("dock_middle.json").html.find("<line class=\"spin\""), std::string::npos);
+  EXPECT_EQ(count_of(tugger.svg, "<polygon class=\"zone"), 0U);
+}
+
+TEST(Report, CallsNothingProvenInAPathThatIsNot) {
+  Reported r = report("grid_tugger.json");
+  ASSERT_NE(r.svg.find("mm proven"), std::string::npos);
+  r.plan.status = Status::unproven;  // for another reason than contact
+  const Problem problem = Problem::prepare(r.plan.scenario).value();
+  EXPECT_EQ(plan_svg(problem, r.plan).find("mm proven"), std::string::npos);
 }
 
 TEST(Report, NumbersObstaclesAndTicksCoordinates) {

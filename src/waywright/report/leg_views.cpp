@@ -1,6 +1,7 @@
 #include "waywright/report/leg_views.hpp"
 
 #include "waywright/judge/legs.hpp"
+#include "waywright/speed/zone_speed.hpp"
 
 namespace waywright {
 namespace {
@@ -35,7 +36,10 @@ std::vector<LegView> leg_views(const Plan& plan, bool with_clearance) {
     if (parts) {
       const Plan& part = (*parts)[i];
       view.samples = part.samples;
-      if (with_clearance) view.clearance = clearances_along(*problem, part.path, part.samples);
+      if (with_clearance) {
+        view.clearance = clearances_along(*problem, part.path, part.samples);
+        view.zone_speed = zone_limits(*problem, part.samples, part.certificate.tolerance).samples;
+      }
     } else {
       view.samples = plan.legs[i].driven;
       if (view.samples.empty()) view.blocked = blocked_spots(*problem, failed_leg(plan));

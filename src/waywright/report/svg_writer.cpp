@@ -156,7 +156,7 @@ constexpr std::string_view rules = R"(
 .ww .bar{stroke:var(--ink);stroke-width:2}.ww .axis{stroke:var(--soft);stroke-width:1}.ww .gridline{stroke:var(--grid);stroke-width:1}
 .ww .curve{fill:none;stroke:var(--ink);stroke-width:1.8}.ww .limit{stroke:var(--bad);stroke-width:1.4;stroke-dasharray:6 4}
 .ww .bandback{fill:var(--back);fill-opacity:.09}.ww .bandfwd{fill:var(--fwd);fill-opacity:.09}
-.ww .change{stroke:var(--soft);stroke-width:1.2;stroke-dasharray:2 3}.ww .title{font-size:13px;font-weight:600}.ww .end{text-anchor:end}
+.ww .change{stroke:var(--soft);stroke-width:1.2;stroke-dasharray:2 3}.ww .spin{stroke:var(--shelf);stroke-width:2}.ww .ceiling{fill:none;stroke:var(--bad);stroke-width:2}.ww .title{font-size:13px;font-weight:600}.ww .end{text-anchor:end}
 .ww .middle{text-anchor:middle}
 )";
 
