@@ -2,12 +2,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <regex>
 #include <set>
 #include <stack>
 
+#include "waywright/io/plan_io.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/judge/import.hpp"
+#include "waywright/judge/judge.hpp"
 #include "waywright/planner/registry.hpp"
 #include "waywright/report/charts.hpp"
 #include "waywright/report/report.hpp"
@@ -172,6 +175,29 @@ TEST(Report, CallsNothingProvenInAPathThatIsNot) {
   r.plan.status = Status::unproven;  // for another reason than contact
   const Problem problem = Problem::prepare(r.plan.scenario).value();
   EXPECT_EQ(plan_svg(problem, r.plan).find("mm proven"), std::string::npos);
+}
+
+TEST(Report, APathWhoseProofWasInterruptedIsKept) {
+  const Reported r = report("dock_middle.json");
+  const Problem problem = Problem::prepare(r.plan.scenario).value();
+  const std::atomic<bool> raised{true};
+  Plan plan = judge(problem, r.plan.path, &raised);
+  EXPECT_EQ(plan.status, Status::canceled);
+  EXPECT_EQ(plan.reason, "canceled before the path was proven; the path is kept, and verify can prove it");
+  EXPECT_EQ(plan.samples.size(), r.plan.samples.size());
+  EXPECT_EQ(plan.metrics.length, r.plan.metrics.length);
+  EXPECT_FALSE(plan.certificate.collision_free);
+  EXPECT_EQ(plan.certificate.checked_length, 0.0);
+  EXPECT_EQ(headline(plan), "Interrupted: a path, not proven");
+  EXPECT_NE(plan_text(plan).find("not proven: the run was interrupted"), std::string::npos);
+  expect_clean(plan_svg(problem, plan));
+  expect_clean(report_html(problem, plan));
+  EXPECT_EQ(plan_svg(problem, plan).find("mm proven"), std::string::npos);
+  const auto read = parse_plan(plan_json(plan), "plan.json");
+  ASSERT_TRUE(read) << read.error().message();
+  const auto verified = verify(*read).value();
+  EXPECT_EQ(verified.fresh.status, Status::solved);
+  EXPECT_EQ(verified.findings.front(), "the plan says that it is canceled, though its path can be proven");
 }
 
 TEST(Report, NumbersObstaclesAndTicksCoordinates) {

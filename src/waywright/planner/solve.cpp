@@ -46,7 +46,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
     if (problem.motion() && !description->goes_on_in_motion) plan.explanation.insert(plan.explanation.begin(), stop_sentence(problem));
     explain_mission(problem, plan, plan.explanation);
     plan.explanation.push_back(plan.status == Status::solved ? proof_sentence(problem, plan)
-                                                             : "This path is not proven: " + plan.reason + ".");
+                                                             : plan.status == Status::canceled ? "The run was interrupted: this path is not proven." : "This path is not proven: " + plan.reason + ".");
   } else {
     plan = failed_plan(problem, result.error().failure);
     if (plan.status == Status::no_path && !budget.cut_short() && !budget.canceled()) {

@@ -72,7 +72,7 @@ Parsed<Plan> solve_legs(const Scenario& scenario, const std::atomic<bool>* cance
     }
     plan->scenario = {};  // with its map
     legs.push_back({begin, next.pose, std::move(*plan)});
-    if (legs.back().plan.path.pieces.empty()) break;
+    if (legs.back().plan.path.pieces.empty() || legs.back().plan.status == Status::canceled) break;
     begin = next;
   }
   return join_legs(mission, std::move(legs));

@@ -50,7 +50,7 @@ std::string headline(const Plan& plan) {
     case Status::timed_out:
       return "Out of time, no path yet";
     case Status::canceled:
-      return "Interrupted, no path yet";
+      return plan.path.pieces.empty() ? "Interrupted, no path yet" : "Interrupted: a path, not proven";
   }
   return to_string(plan.status);
 }
@@ -94,7 +94,7 @@ std::optional<std::string> alignment_warning(const Scenario& scenario) {
 std::vector<std::string> warnings(const Plan& plan) {
   std::vector<std::string> all;
   if (plan.status == Status::canceled) {
-    all.emplace_back("The run was interrupted before there was a path.");
+    all.emplace_back(plan.path.pieces.empty() ? "The run was interrupted before there was a path." : "The run was interrupted before its path was proven.");
   } else if (!plan.reproducible) {
     all.push_back(
         fmt::format("The work was cut short by {}: another run may give another {}.",
