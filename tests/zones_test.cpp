@@ -403,6 +403,21 @@ TEST(Zones, PlanFilesKeepThemAndVerifyHoldsThem) {
   EXPECT_NE(finding(slower).find("in zone \"gap\""), std::string::npos) << finding(slower);
 }
 
+TEST(Zones, OneThatLiesOffTheMapIsNoted) {
+  const auto notes_of = [](std::vector<Zone> zones) {
+    Scenario s = two_gaps(std::move(zones));
+    s.planner = {"astar", {}};
+    const Plan plan = *solve(Problem::prepare(s).value());
+    const Plan read = parse_plan(plan_json(plan), "plan.json").value();
+    EXPECT_EQ(parse_plan(plan_json(read), "plan.json").value().scenario.map.notes, read.scenario.map.notes);  // once, however often it is read
+    return read.scenario.map.notes;
+  };
+  EXPECT_TRUE(notes_of({zone(ZoneType::penalty, around_lower_gap, 2.0), zone(ZoneType::speed_limit, rectangle({19, 11}, {30, 30}), 0.5)}).empty());
+  EXPECT_EQ(notes_of({zone(ZoneType::penalty, around_lower_gap, 2.0), zone(ZoneType::forbidden, rectangle({100, 0}, {110, 5}), 0.0, "charging")}),
+            (std::vector<std::string>{"zones: zone \"charging\" lies off the map and the mission, which reach from (0.00, 0.00) to (20.00, 12.00)"}));
+  EXPECT_EQ(notes_of({zone(ZoneType::forbidden, rectangle({-9, 0}, {-1, 5})), zone(ZoneType::directed, rectangle({0, 13}, {1, 14}))}).front().rfind("zones: zone 0, zone 1 lie off", 0), 0U);
+}
+
 TEST(Zones, ImportedPosesAreHeldToThem) {
   const Problem problem = Problem::prepare(two_gaps({zone(ZoneType::directed, around_lower_gap, pi, "west only"), zone(ZoneType::speed_limit, rectangle({12, 1}, {14, 4}), 0.3, "door")})).value();
   PoseSequence sequence;
