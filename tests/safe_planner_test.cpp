@@ -183,6 +183,11 @@ TEST(SafePlanner, RegularObstaclesAreWhereTheIrregularOnesWere) {
   ASSERT_EQ(as_they_are.status, Status::solved) << as_they_are.reason;
   ASSERT_EQ(regular.status, Status::solved) << regular.reason;
   EXPECT_NE(as_they_are.metrics.length, regular.metrics.length);
+  const auto tells = [](const Plan& plan) {
+    return std::count(plan.explanation.begin(), plan.explanation.end(), "Rectangles stood in place of obstacles that are not convex while it was searched, except where start or goal would be in one.");
+  };
+  EXPECT_EQ(tells(regular), 1);
+  EXPECT_EQ(tells(as_they_are), 0);
 }
 
 TEST(SafePlanner, WhatCannotBeReachedFailsWithItsReason) {
