@@ -9,6 +9,7 @@
 
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/study/merits.hpp"
+#include "waywright/study/run_cost.hpp"
 #include "waywright/study/short_names.hpp"
 #include "waywright/study/summary.hpp"
 #include "waywright/study/threads.hpp"
@@ -99,6 +100,44 @@ TEST(Compare, NoRunAndNoPathHaveNoFigures) {
   EXPECT_EQ(text.find(std::string(200, 'x')), std::string::npos) << text;
   EXPECT_EQ(text.find("0/0"), std::string::npos) << text;
   EXPECT_NE(text.find("patterns: 1 × timed_out: too slow"), std::string::npos) << text;
+}
+
+waywright::Run run_that_costs(std::size_t contestant, const std::string& planner, double cost, double weight, bool is_length = false) {
+  waywright::Run run;
+  run.contestant = contestant;
+  run.plan.status = Status::solved;
+  run.plan.planner = planner;
+  if (!is_length) run.plan.parameters = {{"objective", std::string{"normalised"}}, {"length_weight", weight}, {"population", 20.0}};
+  run.plan.samples.resize(2);
+  run.plan.alternatives = {{"left side", false, 0.1, "", {}, {}}, {"right side", true, cost, "", {}, {}, is_length}};
+  return run;
+}
+
+TEST(Compare, CostsAreToldWithTheirObjective) {
+  const auto one = cost_of(run_that_costs(0, "pattern_docking", 0.8, 0.3).plan);
+  ASSERT_TRUE(one);
+  EXPECT_EQ(one->objective, "docking, normalised, length_weight 0.3");
+  EXPECT_EQ(one->cost, 0.8);
+  const std::vector<waywright::Run> alike{run_that_costs(0, "pattern_docking", 0.8, 0.3), run_that_costs(0, "pattern_docking", 0.9, 0.3), run_that_costs(0, "pattern_docking", 0.7, 0.3),
+                                          run_that_costs(1, "pattern_docking_published", 1.25, 0.3)};
+  const auto summaries = summarise(alike, 1, 2);
+  EXPECT_EQ(summaries[0].cost.median, 0.8);
+  EXPECT_EQ(summaries[0].costs, 3U);
+  const std::string text = summary_text(summaries, {"s"}, contestants);
+  EXPECT_NE(text.find("0.8000"), std::string::npos) << text;
+  EXPECT_NE(text.find("1.2500"), std::string::npos) << text;
+  EXPECT_NE(text.find("  cost: by the planner's own objective (docking, normalised, length_weight 0.3)\n"), std::string::npos) << text;
+  EXPECT_NE(runs_csv(alike, {"s"}, contestants).find(",0.8,\"docking, normalised, length_weight 0.3\",\"\"\n"), std::string::npos);
+  // Another weight is another objective, and so is the length that a second choice is told by.
+  for (const waywright::Run& other : {run_that_costs(1, "pattern_docking_published", 1.25, 0.4), run_that_costs(1, "ompl_rrt_connect", 12.5, 0.0, true)}) {
+    const std::string apart = summary_text(summarise({alike[0], other}, 1, 2), {"s"}, contestants);
+    EXPECT_NE(apart.find("only those of one objective can be compared"), std::string::npos) << apart;
+    EXPECT_NE(apart.find("    " + cost_of(other.plan)->objective + ": "), std::string::npos) << apart;
+  }
+  waywright::Run silent = alike[0];
+  silent.plan.alternatives.clear();
+  EXPECT_FALSE(cost_of(silent.plan));
+  EXPECT_EQ(summary_text(summarise({silent}, 1, 1), {"s"}, contestants).find("own objective"), std::string::npos);
 }
 
 // Medians, what is left in the battery, and percentages as the publication counts them, by hand.

@@ -174,7 +174,15 @@ TEST(FreeGoal, WhatCannotBeReachedIsToldInOneSentence) {
   const auto reason = [](const Scenario& s) { return solve(Problem::prepare(s).value()).value().reason; };
   EXPECT_EQ(reason(hall(region({5.1, 5.1}, {5.2, 5.2}))), "no cell of 1 m has its middle in the goal's region; try a finer resolution");
   EXPECT_EQ(reason(hall(region({1.0, 1.0}, {5.2, 5.2}))), "the start is at the goal already, there is nothing to drive");
-  EXPECT_EQ(reason(hall(region({20.0, 1.0}, {25.0, 5.2}))), "no cell of 1 m has its middle in the goal's region; try a finer resolution");
+  const Plan outside = solve(Problem::prepare(hall(region({20.0, 1.0}, {25.0, 5.2}))).value()).value();
+  EXPECT_EQ(outside.status, Status::goal_outside);
+  EXPECT_EQ(outside.reason, "the goal's region lies outside of the boundary");
+  Scenario filled = hall(region({5.0, 5.0}, {9.0, 9.0}));
+  filled.map.obstacles = {rectangle({4.0, 4.0}, {9.5, 9.5})};
+  const Plan inside = solve(Problem::prepare(filled).value()).value();
+  EXPECT_EQ(inside.status, Status::goal_in_collision);
+  EXPECT_EQ(inside.reason, "no place in the goal's region is free: obstacle 0 blocks all of it, even for the largest disc in the footprint, 0.300 m");
+  EXPECT_EQ(inside.effort.expansions, 0);
   Scenario shut = hall(region({5.0, 0.0}, {9.0, 9.0}));
   shut.map.lines = {{{4.0, 0.0}, {4.0, 10.0}}};
   EXPECT_EQ(reason(shut).rfind("no way over cells of 1 m leads from start to goal", 0), 0U) << reason(shut);

@@ -197,9 +197,15 @@ TEST(GridPlanner, FindsADoorThatIsMillimetresWiderThanTheDisc) {
 TEST(GridPlanner, RefusesWhatCannotTurnOnTheSpot) {
   Scenario s = room(2.0);
   s.vehicle.drive = Tricycle{1.0, 1.0};
-  const Plan plan = planned(s, "astar");
-  EXPECT_EQ(plan.status, Status::no_path);
-  EXPECT_EQ(plan.reason, "astar plans straight lines with turns on the spot, which a tricycle cannot drive");
+  const auto taken = check_mission("astar", s);
+  ASSERT_FALSE(taken);
+  const std::string sentence = taken.error().message();
+  EXPECT_EQ(sentence.rfind("planner.name: astar plans straight lines with turns on the spot, which a tricycle cannot drive (allowed: pattern_docking, ", 0), 0U) << sentence;
+  for (const char* able : {"ompl_rrt_connect", "clearance_optimal", "waypoint_clothoid"}) EXPECT_NE(sentence.find(able), std::string::npos) << able;
+  for (const char* unable : {"dijkstra", "visibility_graph", "rrt_star_woa_local"}) EXPECT_EQ(sentence.find(unable), std::string::npos) << unable;
+  s.mission = FreeGoal{{{2.0, 2.0}}};
+  EXPECT_EQ(check_mission("astar", s).error().message(),
+            "goal: it leaves the heading free, which planners take for vehicles that turn on the spot, and a tricycle cannot (allowed: a pose [x, y, heading])");
 }
 
 TEST(GridPlanner, GoesStraightOrTurnsWhereThatIsAll) {

@@ -153,6 +153,37 @@ TEST(Mission, ALoadThatDoesNotFitWhereItIsTakenIsTold) {
   EXPECT_EQ(solve_legs(s).value().status, Status::solved);
 }
 
+/// Loads are exchanged where the vehicle stands: by a tricycle, which turns on no spot, and by whatever planner.
+TEST(Mission, ALegMayChangeTheLoadWhereItStands) {
+  for (const char* planner : {"pattern_docking", "ompl_rrt_connect", "clearance_optimal"}) {
+    Scenario s = example_mission();
+    s.legs.resize(3);
+    for (Leg& leg : s.legs) leg = Leg{};
+    s.planner = PlannerChoice{planner, {}};
+    s.start = {8.8, 6.6, 0.0};
+    s.carried_load = "pallet";
+    s.legs[0].mission = s.start;
+    s.legs[0].load = "";
+    s.legs[1].mission = s.start;
+    s.legs[1].load = "crosswise pallet";
+    s.legs[2].mission = Pose{10.8, 6.6, 0.0};
+    s.legs[2].planner = PlannerChoice{"ompl_rrt_connect", {}};
+    const Plan plan = solve_legs(s).value();
+    ASSERT_EQ(plan.legs.size(), 3U) << planner << plan.reason;
+    EXPECT_EQ(plan.legs[0].status, Status::solved) << plan.reason;
+    EXPECT_EQ(plan.legs[0].metrics.length, 0.0);
+    EXPECT_EQ(plan.legs[0].metrics.travel_time, 0.0);
+    EXPECT_EQ(plan.legs[2].load, "crosswise pallet");
+    ASSERT_EQ(plan.status, Status::solved) << plan.reason;
+    const auto read = parse_plan(plan_json(plan), "plan.json");
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_TRUE(verify(*read).value().holds) << verify(*read).value().findings.front();
+    s.map.points.push_back({8.8, 6.6 + 0.55});  // beside the truck and its pallet, inside of the crosswise one
+    const Plan blocked = solve_legs(s).value();
+    EXPECT_EQ(blocked.status, Status::start_in_collision) << blocked.reason;
+  }
+}
+
 class MissionOnTheCommandLine : public test::CommandLine {
  protected:
   test::Json mission() const {
@@ -177,6 +208,21 @@ TEST_F(MissionOnTheCommandLine, OnePlanFileAndOneReportForTheWhole) {
   EXPECT_NE(found.out.find("leg 2 of 3 (out of the goods): its record says that no load is carried"), std::string::npos) << found.out;
 }
 
+/// Where there is neither a fork nor a station, no sentence tells of one.
+TEST_F(MissionOnTheCommandLine, ACarrierIsPlannedForAsOne) {
+  test::Json s = mission();
+  s["vehicle"] = example("vehicles/trolley_agv.json");
+  s["legs"] = {{{"goal", {9.5, 12.0, 0.0}}}, {{"goal", {4.0, 12.0, 3.1}}}};
+  s["start"] = {4.0, 5.0, 0.0};
+  auto o = run("plan " + write(s) + " -o out");
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
+  EXPECT_NE(o.out.find("Leg 2 of 2, without a load, by astar: "), std::string::npos) << o.out;
+  s["planner"] = {{"name", "pattern_docking"}};
+  o = run("plan " + write(s) + " -o out");
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
+  for (const char* word : {"fork", "docked", "docking pattern"}) EXPECT_EQ(o.out.find(word), std::string::npos) << word << "\n" << o.out;
+}
+
 TEST_F(MissionOnTheCommandLine, ASiteMayHaveSuchMissions) {
   const auto o = run("check " + write(mission()) + " -o site");
   EXPECT_EQ(o.status, 0) << o.out << o.err;
@@ -199,6 +245,9 @@ TEST_F(MissionOnTheCommandLine, WhatIsWrongIsOneSentence) {
       {[](auto& s) { s["legs"][0]["load"] = "barrel"; }, "s.json: legs[0].load: the vehicle has no load \"barrel\""},
       {[](auto& s) { s["legs"][1]["planner"] = {{"name", "astra"}}; }, "s.json: legs[1].planner.name: \"astra\" is not known"},
       {[](auto& s) { s["legs"][2]["planner"] = {{"name", "astar"}}; }, "s.json: legs[2].planner.name: astar does not plan through waypoints"},
+      {[](auto& s) { s["legs"][2]["planner"] = {{"name", "astar"}}, s["legs"][2].erase("waypoints"); },
+       "s.json: legs[2].planner.name: astar plans straight lines with turns on the spot, which a tricycle cannot drive (allowed: pattern_docking, "},
+      {[](auto& s) { s["legs"][2]["goal"] = {28.2, 7.9}, s["legs"][2].erase("waypoints"); }, "s.json: legs[2].goal: it leaves the heading free, which planners take for vehicles that turn"},
       {[](auto& s) { s["legs"][2]["planner"] = {{"name", "waypoint_clothoid"}, {"samples", -1}}; }, "s.json: legs[2].planner.samples: -1 is out of range"},
       {[](auto& s) { s["budget"] = {{"expansions", 5}}; }, "s.json: budget.expansions: leg 1 of 3 (parking → goods): pattern_docking counts no expansions"},
       {[](auto& s) { s["legs"].erase(0); }, "s.json: legs[0].station: the way out of the shelf begins at"},

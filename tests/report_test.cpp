@@ -2,12 +2,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <regex>
 #include <set>
 #include <stack>
 
+#include "waywright/io/plan_io.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/judge/import.hpp"
+#include "waywright/judge/judge.hpp"
 #include "waywright/planner/registry.hpp"
 #include "waywright/report/charts.hpp"
 #include "waywright/report/report.hpp"
@@ -155,7 +158,46 @@ TEST(Report, ShowsEveryZoneWithItsRule) {
   EXPECT_GE(count_of(r.svg, "class=\"zonearrowhead\""), 2U);
   for (const char* text : {"aisle east", "picking, × 3", "main road, × 0.6", "crossing, 0.3 m/s", "charging", "one way, along the arrows"}) EXPECT_NE(r.svg.find(text), std::string::npos) << text;
   for (const char* text : {"zone &quot;crossing&quot;", "at most 0.3 m/s", "one way, 180.0°", "Zones weigh"}) EXPECT_NE(r.html.find(text), std::string::npos) << text;
-  EXPECT_EQ(count_of(report("grid_tugger.json").svg, "<polygon class=\"zone"), 0U);
+  // The limit of the zone in the speed's chart, in both widths; where the vehicle turns on the spot, in every chart.
+  EXPECT_EQ(count_of(r.html, "<polyline class=\"ceiling\""), 2U);
+  EXPECT_NE(r.html.find("stepped line of the speed: limit of a zone"), std::string::npos);
+  EXPECT_NE(r.html.find("pink line: turn on the spot"), std::string::npos);
+  EXPECT_GE(count_of(r.html, "<line class=\"spin\""), 6U);
+  const Reported tugger = report("grid_tugger.json");
+  EXPECT_EQ(tugger.html.find("limit of a zone"), std::string::npos);
+  EXPECT_EQ(report("dock_middle.json").html.find("<line class=\"spin\""), std::string::npos);
+  EXPECT_EQ(count_of(tugger.svg, "<polygon class=\"zone"), 0U);
+}
+
+TEST(Report, CallsNothingProvenInAPathThatIsNot) {
+  Reported r = report("grid_tugger.json");
+  ASSERT_NE(r.svg.find("mm proven"), std::string::npos);
+  r.plan.status = Status::unproven;  // for another reason than contact
+  const Problem problem = Problem::prepare(r.plan.scenario).value();
+  EXPECT_EQ(plan_svg(problem, r.plan).find("mm proven"), std::string::npos);
+}
+
+TEST(Report, APathWhoseProofWasInterruptedIsKept) {
+  const Reported r = report("dock_middle.json");
+  const Problem problem = Problem::prepare(r.plan.scenario).value();
+  const std::atomic<bool> raised{true};
+  Plan plan = judge(problem, r.plan.path, &raised);
+  EXPECT_EQ(plan.status, Status::canceled);
+  EXPECT_EQ(plan.reason, "canceled before the path was proven; the path is kept, and verify can prove it");
+  EXPECT_EQ(plan.samples.size(), r.plan.samples.size());
+  EXPECT_EQ(plan.metrics.length, r.plan.metrics.length);
+  EXPECT_FALSE(plan.certificate.collision_free);
+  EXPECT_EQ(plan.certificate.checked_length, 0.0);
+  EXPECT_EQ(headline(plan), "Interrupted: a path, not proven");
+  EXPECT_NE(plan_text(plan).find("not proven: the run was interrupted"), std::string::npos);
+  expect_clean(plan_svg(problem, plan));
+  expect_clean(report_html(problem, plan));
+  EXPECT_EQ(plan_svg(problem, plan).find("mm proven"), std::string::npos);
+  const auto read = parse_plan(plan_json(plan), "plan.json");
+  ASSERT_TRUE(read) << read.error().message();
+  const auto verified = verify(*read).value();
+  EXPECT_EQ(verified.fresh.status, Status::solved);
+  EXPECT_EQ(verified.findings.front(), "the plan says that it is canceled, though its path can be proven");
 }
 
 TEST(Report, NumbersObstaclesAndTicksCoordinates) {
@@ -215,6 +257,12 @@ TEST(Words, ReasonAndExplanationDoNotRepeatEachOther) {
   plan.alternatives = {{"RRTConnect", false, std::nullopt, "it ran out of budget.", {}, {}}};
   EXPECT_EQ(reason_once(plan, false), "No pattern fits; the second choice found none either: it ran out of budget.");
   EXPECT_EQ(reason_once(plan, true), "No pattern fits; the second choice found none either.");
+}
+
+TEST(Words, APlannersNameStaysAsItIs) {
+  EXPECT_EQ(as_sentence("astar found nothing", "astar"), "astar found nothing.");
+  EXPECT_EQ(as_sentence("no way leads there", "astar"), "No way leads there.");
+  EXPECT_EQ(as_sentence("", "astar"), "");
 }
 
 TEST(Words, WorkThatWasCutShortIsSaid) {

@@ -305,6 +305,26 @@ TEST(Zones, AStartInAForbiddenZoneIsNamed) {
   EXPECT_NE(plan.reason.find("zone \"bay\""), std::string::npos) << plan.reason;
 }
 
+TEST(Zones, ZonesThatLeaveNoWayAreNamed) {
+  const Zone against = zone(ZoneType::directed, rectangle({9, 0.5}, {11, 3.5}), pi, "aisle west");
+  const Zone shut = zone(ZoneType::forbidden, rectangle({9, 7.5}, {11, 10.5}), 0.0, "charging");
+  const Zone aside = zone(ZoneType::forbidden, rectangle({1, 10}, {2, 11}));
+  for (const char* planner : {"astar", "theta_star", "danger_astar"}) {
+    const Plan plan = planned(two_gaps({aside, shut, against}), planner, {{"resolution", 0.5}});
+    EXPECT_EQ(plan.status, Status::no_path) << planner;
+    EXPECT_EQ(plan.reason.rfind("zone \"aisle west\" (directed, against the way) stands in the way: without forbidden and directed zones there is one of 12.000 m; with them no way over cells", 0), 0U)
+        << plan.reason;
+  }
+  const Plan both = planned(two_gaps({shut, zone(ZoneType::forbidden, around_lower_gap)}), "ompl_rrt_connect", {{"space", std::string{"turns"}}});
+  EXPECT_EQ(both.status, Status::no_path);
+  EXPECT_EQ(both.reason.rfind("zone ", 0), 0U) << both.reason;
+  EXPECT_NE(both.reason.find("(forbidden) stands in the way"), std::string::npos) << both.reason;
+  // Where walls shut it no zone is blamed.
+  Scenario walls = two_gaps({aside});
+  walls.map.lines = {{{10.0, 0.0}, {10.0, 12.0}}};
+  EXPECT_EQ(planned(walls, "astar", {{"resolution", 0.5}}).reason.rfind("no way over cells", 0), 0U);
+}
+
 TEST(Zones, AStartInADirectedZoneMayFaceWhereverItDoes) {
   for (const double heading : {0.0, 1.5, 3.0}) {
     Scenario s = two_gaps({zone(ZoneType::directed, rectangle({3, 1}, {6, 4}), 0.0)});
@@ -381,6 +401,21 @@ TEST(Zones, PlanFilesKeepThemAndVerifyHoldsThem) {
   Plan slower = read;
   slower.scenario.zones[0].speed = 0.1;
   EXPECT_NE(finding(slower).find("in zone \"gap\""), std::string::npos) << finding(slower);
+}
+
+TEST(Zones, OneThatLiesOffTheMapIsNoted) {
+  const auto notes_of = [](std::vector<Zone> zones) {
+    Scenario s = two_gaps(std::move(zones));
+    s.planner = {"astar", {}};
+    const Plan plan = *solve(Problem::prepare(s).value());
+    const Plan read = parse_plan(plan_json(plan), "plan.json").value();
+    EXPECT_EQ(parse_plan(plan_json(read), "plan.json").value().scenario.map.notes, read.scenario.map.notes);  // once, however often it is read
+    return read.scenario.map.notes;
+  };
+  EXPECT_TRUE(notes_of({zone(ZoneType::penalty, around_lower_gap, 2.0), zone(ZoneType::speed_limit, rectangle({19, 11}, {30, 30}), 0.5)}).empty());
+  EXPECT_EQ(notes_of({zone(ZoneType::penalty, around_lower_gap, 2.0), zone(ZoneType::forbidden, rectangle({100, 0}, {110, 5}), 0.0, "charging")}),
+            (std::vector<std::string>{"zones: zone \"charging\" lies off the map and the mission, which reach from (0.00, 0.00) to (20.00, 12.00)"}));
+  EXPECT_EQ(notes_of({zone(ZoneType::forbidden, rectangle({-9, 0}, {-1, 5})), zone(ZoneType::directed, rectangle({0, 13}, {1, 14}))}).front().rfind("zones: zone 0, zone 1 lie off", 0), 0U);
 }
 
 TEST(Zones, ImportedPosesAreHeldToThem) {

@@ -166,7 +166,8 @@ void read_legs(const Node& whole, Scenario& scenario) {
     if (whole.failed()) return;
     if (!leg.planner && !whole.has("planner")) {
       if (!leg.waypoints.empty()) leg.planner = PlannerChoice{planner_through_waypoints, {}};
-      if (std::holds_alternative<FreeGoal>(leg.mission)) leg.planner = PlannerChoice{planner_to_free_goals, {}};
+      else if (std::holds_alternative<FreeGoal>(leg.mission)) leg.planner = PlannerChoice{planner_to_free_goals, {}};
+      else if (std::holds_alternative<Pose>(leg.mission) && scenario.vehicle.can_turn_on_the_spot() && scenario.vehicle.forks.empty()) leg.planner = PlannerChoice{planner_of_carriers, {}};
     }
     scenario.legs.push_back(std::move(leg));
   }

@@ -13,6 +13,7 @@
 #include "waywright/io/scenario_json.hpp"
 #include "waywright/io/vehicle_io.hpp"
 #include "waywright/io/zones_json.hpp"
+#include "waywright/scenario/zone_rules.hpp"
 
 namespace waywright {
 namespace {
@@ -123,6 +124,46 @@ std::vector<std::string> outline_doubts(const Map& drawing, Vec2 start) {
   return sentences;
 }
 
+namespace {
+
+/// Of zones that lie off everything that the map shows and the mission names.
+void doubt_zones(const Scenario& scenario, std::vector<std::string>& notes) {
+  const Map& map = scenario.map;
+  std::vector<Vec2> points = map.points;
+  const auto add = [&](const std::vector<Vec2>& more) { points.insert(points.end(), more.begin(), more.end()); };
+  for (const auto* rings : {&map.boundaries, &map.obstacles, &map.lines}) {
+    for (const auto& ring : *rings) add(ring);
+  }
+  for (const CellGrid& grid : map.grids) {
+    for (const double column : {0.0, static_cast<double>(grid.columns)}) add({grid.corner(column, 0.0), grid.corner(column, grid.rows)});
+  }
+  if (points.empty()) return;  // without a map nothing is off it
+  points.push_back(scenario.start.position());
+  const auto add_goal = [&](const Mission& mission) {
+    if (const auto* pose = std::get_if<Pose>(&mission)) points.push_back(pose->position());
+    if (const auto* station = std::get_if<Station>(&mission)) add(station->area);
+    if (const auto* free = std::get_if<FreeGoal>(&mission)) add(free->area);
+  };
+  if (scenario.legs.empty()) add_goal(scenario.mission);
+  for (const Leg& leg : scenario.legs) add_goal(leg.mission);
+  const Box box = bounding_box(points);
+  std::vector<std::string> off;
+  for (std::size_t i = 0; i < scenario.zones.size(); ++i) {
+    if (!meet(box, bounding_box(scenario.zones[i].area))) off.push_back(title_of(scenario.zones[i], i));
+  }
+  if (off.empty()) return;
+  constexpr std::size_t most_named = 4;
+  std::string names;
+  for (std::size_t i = 0; i < off.size() && i < most_named; ++i) names += (i == 0 ? "" : ", ") + off[i];
+  if (off.size() > most_named) names += fmt::format(" and {} more", off.size() - most_named);
+  std::string sentence = fmt::format("zones: {} {} off the map and the mission, which reach from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f})", names, off.size() == 1 ? "lies" : "lie", box.low.x,
+                                     box.low.y, box.high.x, box.high.y);
+  // A plan's scenario has it among its notes already.
+  if (std::find(notes.begin(), notes.end(), sentence) == notes.end()) notes.push_back(std::move(sentence));
+}
+
+}  // namespace
+
 Scenario read_scenario_node(const Node& node, const fs::path& folder, const Site* site, const std::vector<std::string>& noted) {
   Scenario scenario;
   check_format(node, "scenario");  // first: a newer one may well have fields that are unknown here
@@ -163,6 +204,7 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder, const Site
   if (node.has("clearance")) scenario.clearance = node.at("clearance").number(0.0, 1e3);
   if (node.has("pose_error")) scenario.pose_error = read_pose_error(node.at("pose_error"));
   if (node.has("zones")) scenario.zones = read_zones(node.at("zones"), notes);
+  if (site == nullptr && !node.failed()) doubt_zones(scenario, notes);
   not_yet(node, "moving");
   if (node.has("budget")) scenario.budget = read_budget(node.at("budget"));
   if (!scenario.waypoints.empty()) scenario.planner.name = planner_through_waypoints;

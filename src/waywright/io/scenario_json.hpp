@@ -16,6 +16,9 @@ inline constexpr const char* planner_through_waypoints = "waypoint_clothoid";
 /// Of missions to goals that leave the heading free.
 inline constexpr const char* planner_to_free_goals = "astar";
 
+/// Of legs to a pose, where the vehicle turns on the spot and has no forks: nothing there docks.
+inline constexpr const char* planner_of_carriers = "astar";
+
 /// The whole scenario object; what is wrong is in the context. Paths in it are relative to `folder`. With `site` the object names no map and
 /// no vehicle: the vehicle, the notes and the map's record are the site's, and the scenario's map holds nothing but the notes. `noted`: what is
 /// known of it already, for its notes.

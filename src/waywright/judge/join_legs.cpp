@@ -119,6 +119,39 @@ void append_words(Plan& all, const Plan& leg, std::size_t index, bool is_shown) 
   }
 }
 
+/// "leg 3", "legs 3 and 5", "legs 3 to 5"; counted from 1. @pre not empty, ascending
+std::string words_of_legs(const std::vector<std::size_t>& legs) {
+  if (legs.size() == 1) return fmt::format("leg {}", legs.front());
+  if (legs.back() - legs.front() + 1 == legs.size() && legs.size() > 2) return fmt::format("legs {} to {}", legs.front(), legs.back());
+  std::string text = "legs ";
+  for (std::size_t i = 0; i < legs.size(); ++i) text += fmt::format("{}{}", i == 0 ? "" : i + 1 == legs.size() ? " and " : ", ", legs[i]);
+  return text;
+}
+
+/// Of each load that was set down on the way: on which legs it is an obstacle, and where it is taken up again.
+std::vector<std::string> sentences_of_left_loads(const Scenario& mission, const std::vector<LegBegin>& begins) {
+  struct Told {
+    LeftLoad load;
+    std::vector<std::size_t> legs;
+    std::string taken;
+  };
+  std::vector<Told> told;
+  for (const LegBegin& begin : begins) {
+    for (const LeftLoad& load : begin.left) {
+      auto known = std::find_if(told.begin(), told.end(), [&](const Told& t) { return t.load.leg == load.leg; });  // a leg leaves one load at most
+      if (known == told.end()) known = told.insert(told.end(), Told{load, {}, {}});
+      if (is_taken_again(mission, begin.index, load)) known->taken = fmt::format("; leg {} takes it up again, and is not proven against it", begin.index + 1);
+      else if (load.is_clear) known->legs.push_back(begin.index + 1);
+    }
+  }
+  std::vector<std::string> sentences;
+  for (const Told& t : told) {
+    const std::string name = fmt::format("The load \"{}\", left where leg {} ends, ", t.load.name, t.load.leg + 1);
+    sentences.push_back(name + (t.legs.empty() ? "is an obstacle on no later leg" : "stands there as an obstacle on " + words_of_legs(t.legs)) + t.taken + ".");
+  }
+  return sentences;
+}
+
 }  // namespace
 
 std::string leg_headline(const Scenario& mission, const std::vector<LegResult>& legs, std::size_t index) {
@@ -146,7 +179,9 @@ Plan join_legs(const Scenario& mission, std::vector<JudgedLeg> legs) {
   const bool is_measured = is_whole && std::all_of(legs.begin(), legs.end(), [](const JudgedLeg& leg) { return !leg.plan.samples.empty(); });
   if (is_whole) all.certificate = joined_certificate(legs, all.tightest_obstacle);
   if (is_measured) all.metrics = joined_metrics(legs);
+  std::vector<LegBegin> begins;
   for (JudgedLeg& leg : legs) {
+    begins.push_back(leg.begin);
     Plan& plan = leg.plan;
     LegResult& result = all.legs.emplace_back(result_of(mission, leg));
     // A leg without a path ends the mission there, whatever of those before it is not proven.
@@ -171,10 +206,7 @@ Plan join_legs(const Scenario& mission, std::vector<JudgedLeg> legs) {
     if (!is_measured) plan.samples.clear();
     append_path(all, std::move(plan));
   }
-  for (std::size_t i = 0; i + 1 < all.legs.size(); ++i) {
-    if (all.legs[i].load.empty() || !mission.legs[i].load || *mission.legs[i].load == all.legs[i].load) continue;
-    all.explanation.push_back(fmt::format("The load \"{}\", left where leg {} ends, is no obstacle to the legs after it: they are proven against the map, which does not show it.", all.legs[i].load, i + 1));
-  }
+  for (std::string& sentence : sentences_of_left_loads(mission, begins)) all.explanation.push_back(std::move(sentence));
   return all;
 }
 

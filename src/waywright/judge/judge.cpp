@@ -67,7 +67,13 @@ Plan judge(const Problem& problem, Path path, const std::atomic<bool>* cancel) {
   if (plan.certificate.tightest) plan.tightest_obstacle = problem.world().source_name(plan.certificate.tightest_source);
   plan.status = proof.holds() ? Status::solved : Status::unproven;
   plan.reason = joined(proof.violations);
-  if (cancel != nullptr && cancel->load()) return failed_plan(problem, {Status::canceled, "canceled while the path was proven", {}, {}});
+  if (cancel != nullptr && cancel->load() && !proof.holds()) {
+    // What was found is kept; half a proof says nothing of it.
+    plan.status = Status::canceled;
+    plan.reason = "canceled before the path was proven; the path is kept, and verify can prove it";
+    plan.certificate = {};
+    plan.tightest_obstacle.clear();
+  }
   plan.path = std::move(path);
   if (!proof.measurable) return plan;
 
@@ -76,7 +82,7 @@ Plan judge(const Problem& problem, Path path, const std::atomic<bool>* cancel) {
   const auto& motion = problem.motion();
   SpeedWorkspace timing;
   const LimitsAlong along = zone_limits(problem, plan.samples, proof.certificate.tolerance);
-  if (auto violation = check_entry(problem, plan.samples, timing, along)) {
+  if (auto violation = plan.status == Status::canceled ? std::nullopt : check_entry(problem, plan.samples, timing, along)) {
     plan.status = Status::unproven;
     plan.reason += (plan.reason.empty() ? "" : "; ") + violation->sentence;
   }

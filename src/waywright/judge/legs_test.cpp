@@ -1,5 +1,6 @@
 // Legs joined into one plan: its figures are theirs, by hand and by the single plans; verify finds whatever does not fit.
 #include "waywright/judge/legs.hpp"
+#include "waywright/judge/left_behind.hpp"
 
 #include <gtest/gtest.h>
 
@@ -346,6 +347,82 @@ TEST(Legs, TheShelfOfAnotherLegIsAnObstacle) {
   EXPECT_TRUE(check_legs(s));
 }
 
+/// The crate is carried 3 m and set down, the disc backs out of it by 2 m, and comes back past it or through it.
+Scenario with_crate_left(double y) {
+  Scenario s;
+  s.vehicle = robot();
+  s.clearance = 0.1;
+  s.carried_load = "crate";
+  s.legs = {leg_to({3.0, 0.0, 0.0}, ""), leg_to({1.0, 0.0, 0.0}), leg_to({1.0, y, 0.0}), leg_to({6.0, y, 0.0})};
+  return s;
+}
+
+std::vector<Path> past_the_crate(double y) {
+  const double side = y < 0.0 ? -pi / 2 : pi / 2;
+  return {Path{{{Line{{0.0, 0.0}, {3.0, 0.0}}, 1}}}, Path{{{Line{{3.0, 0.0}, {1.0, 0.0}}, -1}}},
+          Path{{{Turn{{1.0, 0.0}, 0.0, side}, 0}, {Line{{1.0, 0.0}, {1.0, y}}, 1}, {Turn{{1.0, y}, side, -side}, 0}}}, Path{{{Line{{1.0, y}, {6.0, y}}, 1}}}};
+}
+
+TEST(Legs, ALoadThatIsSetDownIsAnObstacleOnceTheVehicleIsClearOfIt) {
+  const Plan past = joined(with_crate_left(1.5), past_the_crate(1.5));
+  ASSERT_EQ(past.status, Status::solved) << past.reason;
+  EXPECT_NEAR(past.legs[3].certificate.clearance, 1.5 - 0.6 - 0.4, 6e-4);  // lane, half the crate, the disc
+  EXPECT_EQ(past.legs[3].tightest_obstacle, "the load \"crate\" left where leg 1 ends");
+  EXPECT_NEAR(past.legs[2].certificate.clearance, 2.4 - 1.0 - 0.4, 6e-4);
+  EXPECT_FALSE(past.legs[1].certificate.tightest);
+  EXPECT_EQ(past.explanation.back(), "The load \"crate\", left where leg 1 ends, stands there as an obstacle on legs 3 and 4.");
+  const auto verified = verify(past).value();
+  EXPECT_TRUE(verified.holds) << verified.findings.front();
+  const Plan through = joined(with_crate_left(0.9), past_the_crate(0.9));
+  EXPECT_EQ(through.status, Status::unproven);
+  EXPECT_NE(through.reason.find("the load \"crate\" left where leg 1 ends"), std::string::npos) << through.reason;
+  EXPECT_FALSE(verify(through).value().holds);
+}
+
+TEST(Legs, OnTheLegThatDrivesOutOfALoadItIsProvenToStayOut) {
+  Scenario s = with_crate_left(1.5);
+  const World of_map{s.map};
+  const LegBegin begin = next_leg(s, first_leg(s), {3.0, 0.0, 0.0});
+  const auto found = [&](const Pose& goal, const Path& path) {
+    s.legs[1].mission = goal;
+    const auto problem = prepare_leg(s, begin, of_map).value();
+    Plan plan = judge(problem, path);
+    judge_left_behind(s, begin, problem, plan);
+    return plan;
+  };
+  const Plan out = found({1.0, 0.0, 0.0}, {{{Line{{3.0, 0.0}, {1.0, 0.0}}, -1}}});
+  EXPECT_EQ(out.status, Status::solved) << out.reason;
+  const auto out_problem = prepare_leg(s, begin, of_map).value();
+  const auto behind = check_left_behind(s, begin, out_problem, out.path);
+  ASSERT_EQ(behind.size(), 1U);
+  EXPECT_NEAR(behind[0].clear_after.value(), 0.6 + 0.4 + 0.1, 0.051 + 1e-3);  // half the crate, the disc, the clearance; a sample's step
+  const Plan again = found({2.2, 0.0, 0.0}, {{{Line{{3.0, 0.0}, {1.0, 0.0}}, -1}, {Line{{1.0, 0.0}, {2.2, 0.0}}, 1}}});
+  EXPECT_EQ(again.status, Status::unproven);
+  EXPECT_EQ(again.reason.rfind("it comes back to the load \"crate\" left where leg 1 ends", 0), 0U) << again.reason;
+  const Plan within = found({2.8, 0.0, 0.0}, {{{Line{{3.0, 0.0}, {2.8, 0.0}}, -1}}});
+  EXPECT_EQ(within.explanation.back(), "The vehicle stays in the load \"crate\" left where leg 1 ends all the way; nothing is proven of the two.");
+  EXPECT_FALSE(next_leg(s, begin, {2.8, 0.0, 0.0}).left.front().is_clear);
+  EXPECT_TRUE(next_leg(s, begin, {1.0, 0.0, 0.0}).left.front().is_clear);
+}
+
+TEST(Legs, ALoadThatIsTakenUpAgainStandsThereNoMore) {
+  Scenario s = with_crate_left(1.5);
+  s.legs = {leg_to({3.0, 0.0, 0.0}, ""), leg_to({1.0, 0.0, 0.0}), leg_to({3.0, 0.0, 0.0}, "crate"), leg_to({0.0, 0.0, 0.0})};
+  const std::vector<Path> there = {Path{{{Line{{0.0, 0.0}, {3.0, 0.0}}, 1}}}, Path{{{Line{{3.0, 0.0}, {1.0, 0.0}}, -1}}}, Path{{{Line{{1.0, 0.0}, {3.0, 0.0}}, 1}}},
+                                   Path{{{Line{{3.0, 0.0}, {0.0, 0.0}}, -1}}}};
+  const Plan plan = joined(s, there);
+  ASSERT_EQ(plan.status, Status::solved) << plan.reason;
+  EXPECT_EQ(plan.legs[3].load, "crate");
+  EXPECT_EQ(plan.explanation.back(), "The load \"crate\", left where leg 1 ends, is an obstacle on no later leg; leg 3 takes it up again, and is not proven against it.");
+  // Another crate elsewhere is not that one.
+  s.legs[2] = leg_to({3.0, 1.6, 0.0}, "crate");
+  LegBegin begin = first_leg(s);
+  begin = next_leg(s, begin, {3.0, 0.0, 0.0});
+  begin = next_leg(s, begin, {1.0, 0.0, 0.0});
+  EXPECT_EQ(standing_on(s, 2, begin.left).size(), 1U);
+  EXPECT_EQ(next_leg(s, begin, {3.0, 1.6, 0.0}).left.size(), 1U);
+}
+
 TEST(Legs, WhatIsWrongIsOneSentenceThatNamesTheLeg) {
   const auto wrong = [](const std::function<void(Scenario&)>& change) {
     Scenario s = mission();
@@ -356,6 +433,10 @@ TEST(Legs, WhatIsWrongIsOneSentenceThatNamesTheLeg) {
   EXPECT_EQ(wrong([](Scenario&) {}), "accepted");
   EXPECT_EQ(wrong([](Scenario& s) { s.legs[0].load = "barrel"; }), "legs[0].load: the vehicle has no load \"barrel\" (allowed: crate)");
   EXPECT_EQ(wrong([](Scenario& s) { s.legs[2].load = "barrel"; }), "legs[2].load: the vehicle has no load \"barrel\" (allowed: crate)");
+  EXPECT_EQ(wrong([](Scenario& s) { s.carried_load = "crate"; }),
+            "legs[0].load: \"crate\" is taken while \"crate\" is carried, from the beginning (allowed: a load where none is carried: let a leg before it end with \"load\": null)");
+  EXPECT_EQ(wrong([](Scenario& s) { s.vehicle.loads["box"] = s.vehicle.loads["crate"], s.legs[1].load = "box"; }),
+            "legs[1].load: \"box\" is taken while \"crate\" is carried, since leg 1 (allowed: a load where none is carried: let a leg before it end with \"load\": null)");
   EXPECT_EQ(wrong([](Scenario& s) { s.carried_load = "barrel"; }), "carried_load: the vehicle has no load \"barrel\" (allowed: crate)");
   EXPECT_EQ(wrong([](Scenario& s) { s.legs[1].waypoints = {{3.0, 4.0}}; }).rfind("legs[1].goal: it is 0.0000 m from waypoints[0]", 0), 0U);
   EXPECT_EQ(wrong([](Scenario& s) { s.legs.resize(most_legs + 1, s.legs[0]); }), "legs: there are 1001 (allowed: at most 1000)");

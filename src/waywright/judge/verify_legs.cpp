@@ -1,9 +1,11 @@
 // A plan with legs: each judged again as a plan of its own, their borders, and what the whole claims of them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "waywright/judge/claims.hpp"
+#include "waywright/judge/left_behind.hpp"
 #include "waywright/judge/legs.hpp"
 
 namespace waywright {
@@ -71,8 +73,17 @@ Parsed<Verification> verify_legs(const Plan& plan) {
     if (!problem) return refuse(problem.error());
     const auto find = [&](const std::string& what) { findings.push_back(fmt::format("{}: {}", leg_label(mission, i), what)); };
     const Sample before = first_sample > 0 ? plan.samples[first_sample - 1] : Sample{};
-    Verification of_leg = verify_part(*problem, (*parts)[i], before.s, before.t);
+    Plan& part = (*parts)[i];
+    const std::vector<LeftBehind> behind = check_left_behind(mission, begin, *problem, part.path);
+    // What the leg's own problem does not know of may be all that is not proven.
+    const bool comes_back = std::any_of(behind.begin(), behind.end(), [](const LeftBehind& each) { return each.violation.has_value(); });
+    if (comes_back && part.status == Status::unproven) part.status = Status::solved;
+    Verification of_leg = verify_part(*problem, part, before.s, before.t);
     for (const std::string& finding : of_leg.findings) find(finding);
+    for (const LeftBehind& each : behind) {
+      if (each.violation) find(*each.violation);
+    }
+    judge_left_behind(mission, begin, *problem, of_leg.fresh);
     const Pose end = end_of(*problem, (*parts)[i].path);
     check_record(plan.legs[i], begin, mission.legs[i], end, find);
     if (first_sample > 0 && !(*parts)[i].samples.empty()) check_going_on(plan.samples, first_sample, find);

@@ -90,16 +90,26 @@ Parsed<Parameters> complete_parameters(const PlannerDescription& planner, const 
 Parsed<void> check_mission(const std::string& planner, const Scenario& scenario) {
   const PlannerDescription* description = find_planner(planner);
   if (description == nullptr) return {};
-  const auto refuse = [&](const char* what, bool PlannerDescription::*can) {
-    std::string able;
+  const auto passes = [&](const PlannerDescription& p) { return scenario.waypoints.empty() || p.passes_waypoints; };
+  const auto ends = [&](const PlannerDescription& p) { return !std::holds_alternative<FreeGoal>(scenario.mission) || p.takes_free_goals; };
+  // Whoever takes goals with a free heading drives straight lines with turns on the spot to them.
+  const bool needs_turns = std::holds_alternative<FreeGoal>(scenario.mission);
+  const auto drives = [&](const PlannerDescription& p) { return scenario.vehicle.can_turn_on_the_spot() || !(p.turns_on_the_spot || needs_turns); };
+  const auto able = [&](const auto& can) {
+    std::string names;
     for (const PlannerDescription& p : planners()) {
-      if (p.*can) able += (able.empty() ? "" : ", ") + p.name;
+      if (can(p)) names += (names.empty() ? "" : ", ") + p.name;
     }
-    return tl::unexpected{InputError{"", "planner.name", fmt::format("{} {}", planner, what), able}};
+    return names;
   };
-  if (!scenario.waypoints.empty() && !description->passes_waypoints) return refuse("does not plan through waypoints", &PlannerDescription::passes_waypoints);
-  if (std::holds_alternative<FreeGoal>(scenario.mission) && !description->takes_free_goals) {
-    return refuse("plans to a goal pose, and this goal leaves the heading free", &PlannerDescription::takes_free_goals);
+  const auto refuse = [&](const char* what, std::string who) { return tl::unexpected{InputError{"", "planner.name", fmt::format("{} {}", planner, what), std::move(who)}}; };
+  if (needs_turns && !scenario.vehicle.can_turn_on_the_spot()) {
+    return tl::unexpected{InputError{"", "goal", "it leaves the heading free, which planners take for vehicles that turn on the spot, and a tricycle cannot", "a pose [x, y, heading]"}};
+  }
+  if (!passes(*description)) return refuse("does not plan through waypoints", able(passes));
+  if (!ends(*description)) return refuse("plans to a goal pose, and this goal leaves the heading free", able(ends));
+  if (!drives(*description)) {
+    return refuse("plans straight lines with turns on the spot, which a tricycle cannot drive", able([&](const PlannerDescription& p) { return drives(p) && passes(p) && ends(p); }));
   }
   return {};
 }

@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "waywright/judge/judge.hpp"
+#include "waywright/planner/blocking_zones.hpp"
 #include "waywright/planner/registry.hpp"
 #include "waywright/planner/solve_words.hpp"
 
@@ -45,9 +46,12 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
     if (problem.motion() && !description->goes_on_in_motion) plan.explanation.insert(plan.explanation.begin(), stop_sentence(problem));
     explain_mission(problem, plan, plan.explanation);
     plan.explanation.push_back(plan.status == Status::solved ? proof_sentence(problem, plan)
-                                                             : "This path is not proven: " + plan.reason + ".");
+                                                             : plan.status == Status::canceled ? "The run was interrupted: this path is not proven." : "This path is not proven: " + plan.reason + ".");
   } else {
     plan = failed_plan(problem, result.error().failure);
+    if (plan.status == Status::no_path && !budget.cut_short() && !budget.canceled()) {
+      if (const std::string zones = blocking_zones_words(problem, *description, *parameters, cancel); !zones.empty()) plan.reason = zones + "; with them " + plan.reason;
+    }
     plan.explanation = std::move(result.error().explanation);
     plan.alternatives = std::move(result.error().alternatives);
     plan.search = std::move(result.error().search);

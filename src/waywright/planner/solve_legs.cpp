@@ -1,6 +1,8 @@
 #include "waywright/planner/solve_legs.hpp"
 
+#include "waywright/judge/left_behind.hpp"
 #include "waywright/judge/legs.hpp"
+#include "waywright/planner/solve_words.hpp"
 
 namespace waywright {
 namespace {
@@ -10,6 +12,18 @@ Parsed<void> complete(PlannerChoice& choice, const BudgetLimits& budget) {
   if (!parameters) return tl::unexpected{parameters.error()};
   choice.parameters = std::move(*parameters);
   return check_budget(choice.name, choice.parameters, budget);
+}
+
+/// The plan of a leg on which the vehicle stands: no planner has anything to plan there.
+Plan standing(const Problem& problem, const std::atomic<bool>* cancel) {
+  const Scenario& scenario = problem.scenario();
+  const auto failure = problem.check_ends();
+  const Pose& there = problem.goal();
+  Plan plan = failure ? failed_plan(problem, *failure) : judge(problem, Path{{{Turn{there.position(), there.heading, 0.0}, 0}}}, cancel);
+  if (!failure) plan.explanation = {"The vehicle stands there, where the load is changed; nothing is driven, and no planner is asked."};
+  if (plan.status == Status::solved) plan.explanation.push_back(proof_sentence(problem, plan));
+  plan.parameters = *complete_parameters(scenario.planner);
+  return plan;
 }
 
 }  // namespace
@@ -42,9 +56,10 @@ Parsed<Plan> solve_legs(const Scenario& scenario, const std::atomic<bool>* cance
   while (begin.index < mission.legs.size()) {
     const auto problem = prepare_leg(mission, begin, of_map);
     if (!problem) return tl::unexpected{problem.error()};
-    auto plan = solve(*problem, cancel);
+    auto plan = is_standing(mission, begin) ? Parsed<Plan>{standing(*problem, cancel)} : solve(*problem, cancel);
     if (!plan) return tl::unexpected{error_of_leg(mission, begin, plan.error())};
     plan->reason = told_of_load(mission, begin, {plan->status, plan->reason}).reason;
+    judge_left_behind(mission, begin, *problem, *plan);
     const LegBegin next = next_leg(mission, begin, end_of(*problem, plan->path));
     if (next.index == mission.legs.size() && !plan->path.pieces.empty()) {
       const auto load = check_last_load(mission, next, of_map);
@@ -57,7 +72,7 @@ Parsed<Plan> solve_legs(const Scenario& scenario, const std::atomic<bool>* cance
     }
     plan->scenario = {};  // with its map
     legs.push_back({begin, next.pose, std::move(*plan)});
-    if (legs.back().plan.path.pieces.empty()) break;
+    if (legs.back().plan.path.pieces.empty() || legs.back().plan.status == Status::canceled) break;
     begin = next;
   }
   return join_legs(mission, std::move(legs));

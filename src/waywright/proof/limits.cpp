@@ -204,7 +204,8 @@ std::vector<Violation> check_limits(const Vehicle& vehicle, const Path& path, co
   bool turns = false, slides = false;
   for (std::size_t i = 0; i < path.pieces.size(); ++i) {
     slides = slides || path.pieces[i].heading;
-    turns = turns || std::holds_alternative<Turn>(path.pieces[i].curve);
+    const auto* turn = std::get_if<Turn>(&path.pieces[i].curve);
+    turns = turns || (turn != nullptr && turn->angle != 0.0);  // one by nothing is standing still
     if (!vehicle.steering_takes_time() || std::holds_alternative<PoseSequence>(path.pieces[i].curve)) continue;
     const std::span<const MotionInterval> intervals = motion.of_piece(i);
     for (std::size_t k = 0; k + 1 < intervals.size(); ++k) {

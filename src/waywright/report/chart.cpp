@@ -39,6 +39,9 @@ std::string chart_svg(const Chart& chart, double width, double height) {
   };
   reach(chart.s, chart.value);
   for (const ChartSeries& series : chart.series) reach(series.s, series.value);
+  for (const double limit : chart.ceiling) {
+    if (std::isfinite(limit)) high = std::max(high, limit);
+  }
   for (const ChartLimit& limit : chart.limits) {
     low = std::min(low, limit.value);
     high = std::max(high, limit.value);
@@ -68,9 +71,10 @@ std::string chart_svg(const Chart& chart, double width, double height) {
                          chart.direction[i] > 0 ? "bandfwd" : "bandback", fixed(a), fixed(top), fixed(b - a),
                          fixed(plot_height));
     }
-    if (i > 0)
-      out += fmt::format("<line class=\"change\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n", fixed(a),
-                         fixed(top), fixed(top + plot_height));
+    const bool is_turn = chart.direction[i] == 0 || (i > 0 && chart.direction[i - 1] == 0);
+    if (i > 0 || is_turn)
+      out += fmt::format("<line class=\"{3}\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n", fixed(a),
+                         fixed(top), fixed(top + plot_height), is_turn ? "spin" : "change");
     i = k + 1;
   }
   const double step = round_step(high - low, 4.0);
@@ -113,6 +117,18 @@ std::string chart_svg(const Chart& chart, double width, double height) {
                        "<text class=\"small\" x=\"{5}\" y=\"{6}\">{7}</text>\n",
                        series.stroke, points_of(series.s, series.value), fixed(left), fixed(below - 4.0), fixed(left + 40.0), fixed(left + 48.0), fixed(below), escaped(series.name));
     below += legend_line;
+  }
+  for (std::size_t i = 0; i < chart.ceiling.size();) {
+    if (!std::isfinite(chart.ceiling[i])) {
+      ++i;
+      continue;
+    }
+    std::string points;
+    for (; i < chart.ceiling.size() && std::isfinite(chart.ceiling[i]); ++i) {
+      if (i > 0 && std::isfinite(chart.ceiling[i - 1])) points += fixed(x_of(chart.s[i])) + "," + fixed(y_of(chart.ceiling[i - 1])) + " ";
+      points += fixed(x_of(chart.s[i])) + "," + fixed(y_of(chart.ceiling[i])) + " ";
+    }
+    out += fmt::format("<polyline class=\"ceiling\" points=\"{}\"/>\n", points);
   }
   std::vector<double> names;  // where names stand: two limits close together keep theirs apart
   for (const ChartLimit& limit : chart.limits) {

@@ -23,6 +23,7 @@ struct Chart {
   std::string title;  ///< with its unit
   std::vector<double> s, value;
   std::vector<int> direction;      ///< per sample, for the bands
+  std::vector<double> ceiling{};   ///< per sample: a limit that changes along the way, infinity where there is none; empty: nowhere
   std::vector<ChartLimit> limits;  ///< dashed lines, named to the right of the plot
   std::vector<double> stops;       ///< s of marks across the plot
   std::vector<ChartLimit> borders{};  ///< s at which a part begins, with its name at the plot's upper edge

@@ -10,6 +10,7 @@
 #include "waywright/report/scene_parts.hpp"
 #include "waywright/report/spots.hpp"
 #include "waywright/report/svg_writer.hpp"
+#include "waywright/speed/zone_speed.hpp"
 
 namespace waywright {
 namespace {
@@ -41,8 +42,8 @@ Chart chart_of(std::string title, const Plan& plan, const auto& value) {
   return chart;
 }
 
-Chart clearance_chart(const Plan& plan, const ClearanceAsked& asked) {
-  const std::vector<double>& clearance = asked.along;
+Chart clearance_chart(const Plan& plan, const AskedAlong& asked) {
+  const std::vector<double>& clearance = asked.clearance;
   const double required = asked.required;
   // What is near matters: metres of room would press the requirement and the last approach into the axis.
   const double top = top_of(least_top, required);
@@ -64,10 +65,11 @@ std::string with_styles(std::string svg) {
 
 std::string charts_html(const Problem& problem, const Plan& plan) {
   if (plan.samples.size() < 2) return {};
-  return charts_html(plan, {clearances_along(problem, plan.path, plan.samples), problem.required_clearance(), problem.pose_error_margin()});
+  return charts_html(plan, {clearances_along(problem, plan.path, plan.samples), problem.required_clearance(), problem.pose_error_margin(),
+                            zone_limits(problem, plan.samples, plan.certificate.tolerance).samples});
 }
 
-std::string charts_html(const Plan& plan, const ClearanceAsked& asked) {
+std::string charts_html(const Plan& plan, const AskedAlong& asked) {
   if (plan.samples.size() < 2) return {};
   const Vehicle& vehicle = plan.scenario.vehicle;
   const auto& samples = plan.samples;
@@ -90,11 +92,13 @@ std::string charts_html(const Plan& plan, const ClearanceAsked& asked) {
   const bool alike = limits.speed == limits.reverse_speed;
   charts.back().limits = {{limits.speed, alike ? "limit" : "limit forw."}};
   if (!alike) charts.back().limits.push_back({limits.reverse_speed, "limit backw."});
+  charts.back().ceiling = asked.zone_speed;
 
+  const bool turns = std::any_of(samples.begin(), samples.end(), [](const Sample& s) { return s.direction == 0; });
   std::string out = fmt::format(
-      "<p class=\"soft\">Orange ground: backwards, blue ground: forwards. Dotted line: change of "
-      "direction{}.{}</p>\n",
-      steering_stops(plan).empty() ? "" : ", solid line: stop where the curvature jumps",
+      "<p class=\"soft\">Orange ground: backwards, blue ground: forwards. Dotted line: change between "
+      "forwards and backwards{}{}{}.{}</p>\n",
+      turns ? "; pink line: turn on the spot" : "", asked.zone_speed.empty() ? "" : "; stepped line of the speed: limit of a zone", steering_stops(plan).empty() ? "" : "; solid line: stop where the curvature jumps",
       (plan.legs.size() > 1 ? std::string{" Solid lines with numbers: where a leg begins."} : std::string{}) +
           (asked.required > 0.0
                ? fmt::format(" Required: {} m of clearance{}.", fixed(asked.required, 4), asked.margin > 0.0 ? fmt::format(", {} m of it for the pose error", fixed(asked.margin, 4)) : "")

@@ -1,6 +1,7 @@
 #include "waywright/report/leg_views.hpp"
 
 #include "waywright/judge/legs.hpp"
+#include "waywright/speed/zone_speed.hpp"
 
 namespace waywright {
 namespace {
@@ -35,13 +36,17 @@ std::vector<LegView> leg_views(const Plan& plan, bool with_clearance) {
     if (parts) {
       const Plan& part = (*parts)[i];
       view.samples = part.samples;
-      if (with_clearance) view.clearance = clearances_along(*problem, part.path, part.samples);
+      if (with_clearance) {
+        view.clearance = clearances_along(*problem, part.path, part.samples);
+        view.zone_speed = zone_limits(*problem, part.samples, part.certificate.tolerance).samples;
+      }
     } else {
       view.samples = plan.legs[i].driven;
       if (view.samples.empty()) view.blocked = blocked_spots(*problem, failed_leg(plan));
     }
     if (problem->free_goal() != nullptr && !view.samples.empty()) view.last = view.samples.back().pose();
     begin = next_leg(mission, begin, view.last);
+    if (!view.samples.empty() && !begin.left.empty() && begin.left.back().leg == i) view.set_down = outline_of(mission, begin.left.back());
   }
   return views;
 }

@@ -14,9 +14,11 @@ struct LegView {
   Pose first{}, last{};
   std::vector<Sample> samples;   ///< s and t from the leg's beginning; empty where it has no path
   std::vector<double> clearance;  ///< m, at each sample; empty where the plan has no whole path
+  std::vector<double> zone_speed;  ///< m/s, where zones limit it at the samples; likewise, and empty without such zones
   double required = 0.0;         ///< m of clearance
   double margin = 0.0;           ///< m of it, for the pose error
   std::vector<Spot> blocked;     ///< of a leg that failed
+  Ring set_down;                 ///< the load that is left where it ends; empty: none
 };
 
 /// Of the legs that the plan tells of, in order; fewer where its scenario cannot be prepared. `plan` outlives them.

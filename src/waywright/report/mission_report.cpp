@@ -16,14 +16,15 @@ namespace waywright {
 namespace {
 
 std::string charts(const Plan& plan, const std::vector<LegView>& legs) {
-  ClearanceAsked asked;
+  AskedAlong asked;
   for (const LegView& leg : legs) {
-    asked.along.insert(asked.along.end(), leg.clearance.begin(), leg.clearance.end());
+    asked.clearance.insert(asked.clearance.end(), leg.clearance.begin(), leg.clearance.end());
+    asked.zone_speed.insert(asked.zone_speed.end(), leg.zone_speed.begin(), leg.zone_speed.end());
     if (leg.required < asked.required) continue;  // with a load the pose error takes more: the most that a leg asks for is drawn
     asked.required = leg.required;
     asked.margin = leg.margin;
   }
-  return asked.along.size() == plan.samples.size() ? charts_html(plan, asked) : "";
+  return asked.clearance.size() == plan.samples.size() ? charts_html(plan, asked) : "";
 }
 
 /// The explanation, each leg's sentences below its headline.

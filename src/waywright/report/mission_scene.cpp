@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -15,6 +16,12 @@ namespace {
 
 constexpr double load_step = 1.2;            // m between the drawn places of a load
 constexpr std::size_t most_in_legend = 24;   // legs
+
+/// None near to blue and orange, which stand for forwards and backwards, nor to the pink of shelves.
+const char* leg_colour(std::size_t i) {
+  static constexpr std::array palette{"#007a4d", "#6a3d9a", "#b89b00", "#5c6670", "#a1006b", "#7a9a01", "#8a5a2b", "#00a3a3"};
+  return palette[i % palette.size()];
+}
 
 class MissionScene {
  public:
@@ -33,6 +40,11 @@ class MissionScene {
     if (!is_long()) {
       for (const LegView& leg : legs_) draw_sweep(svg_, leg.footprint, leg.samples);
       for (const LegView& leg : legs_) draw_load(leg);
+    }
+    for (const LegView& leg : legs_) {
+      if (leg.set_down.empty()) continue;
+      svg_.polygon(leg.set_down, "setdown");
+      set_down_ = true;
     }
     for (std::size_t i = 0; i < legs_.size(); ++i) draw_under(i);
     for (const LegView& leg : legs_) draw_path(svg_, leg.samples);
@@ -63,6 +75,7 @@ class MissionScene {
     if (is_long()) entries.push_back({"", Shape::none, "so long a way is drawn without what is swept"});
     else entries.push_back({"sweep", Shape::box, "swept by the footprint"});
     if (loads_) entries.push_back({"load", Shape::box, "load, where it is carried"});
+    if (set_down_) entries.push_back({"setdown", Shape::box, "load, where it is set down: an obstacle to later legs"});
     if (turns_) entries.push_back({"stop", Shape::square, "change between forwards and backwards"});
     if (waypoints_) entries.push_back({"waypoint", Shape::dot, "waypoints of a leg, in order"});
     if (stations_) {
@@ -132,7 +145,7 @@ class MissionScene {
   static std::string badge(std::size_t i, double x, double y) {
     const std::string number = fmt::format("{}", i + 1);
     return fmt::format("<circle cx=\"{0}\" cy=\"{1}\" r=\"{2}\" class=\"badge\" style=\"stroke:{3}\"/><text class=\"badgetext\" x=\"{0}\" y=\"{4}\">{5}</text>", fixed(x), fixed(y),
-                       fixed(number.size() > 2 ? 12.0 : 9.0), overlay_stroke(i).colour, fixed(y + 4.0), number);
+                       fixed(number.size() > 2 ? 12.0 : 9.0), leg_colour(i), fixed(y + 4.0), number);
   }
 
   void draw_place_of(const Leg& leg) {
@@ -149,7 +162,7 @@ class MissionScene {
   void draw_under(std::size_t i) {
     std::vector<Vec2> points;
     for (const Sample& s : legs_[i].samples) points.push_back({s.x, s.y});
-    if (points.size() > 1) svg_.stroked_polyline(points, fmt::format("stroke=\"{}\" style=\"stroke-width:11px;stroke-opacity:.38;stroke-linecap:round\"", overlay_stroke(i).colour));
+    if (points.size() > 1) svg_.stroked_polyline(points, fmt::format("stroke=\"{}\" style=\"stroke-width:11px;stroke-opacity:.38;stroke-linecap:round\"", leg_colour(i)));
   }
 
   void draw_load(const LegView& leg) {
@@ -242,7 +255,7 @@ class MissionScene {
       if (*c.tightest == *all.tightest && c.tightest_point == all.tightest_point && !tight_) {
         tight_ = true;
         if (is_small) svg_.dot(c.tightest_point, 4.0, "tightdot");
-        else draw_tightest_spot(svg_, canvas_, legs_[i].footprint, all, legs_[i].margin > 0.0);
+        else draw_tightest_spot(svg_, canvas_, legs_[i].footprint, all, legs_[i].margin > 0.0, plan_.status == Status::solved);
       } else if (!is_small) {
         svg_.dot(c.tightest_point, 3.5, "spot");
         spots_ = true;
@@ -255,7 +268,7 @@ class MissionScene {
   Canvas canvas_;
   SvgWriter svg_;
   std::vector<Vec2> numbers_;  ///< px, where the legs' numbers stand
-  bool numbered_ = false, stations_ = false, regions_ = false, loads_ = false, turns_ = false, waypoints_ = false, blocked_ = false, tight_ = false, spots_ = false;
+  bool numbered_ = false, stations_ = false, regions_ = false, loads_ = false, set_down_ = false, turns_ = false, waypoints_ = false, blocked_ = false, tight_ = false, spots_ = false;
 };
 
 }  // namespace

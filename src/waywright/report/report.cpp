@@ -64,7 +64,7 @@ std::string proof_html(const Plan& plan) {
     return fmt::format(
         "<h2>What is proven</h2>\n<p>The footprint keeps {} from everything, but the path is not what was "
         "asked for: {}</p>\n",
-        clearance_words(c), escaped(as_sentence(plan.reason)));
+        clearance_words(c), escaped(as_sentence(plan.reason, plan.planner)));
   }
   const std::string nearer =
       is_beyond_measure(c)

@@ -199,7 +199,7 @@ class Scene {
     if (plan_.samples.empty() || !c.tightest || is_beyond_measure(c)) return;
     tight_ = true;
     blocked_ = !c.collision_free;
-    draw_tightest_spot(svg_, canvas_, problem_.footprint(), c, problem_.pose_error_margin() > 0.0);
+    draw_tightest_spot(svg_, canvas_, problem_.footprint(), c, problem_.pose_error_margin() > 0.0, plan_.status == Status::solved);
     if (const auto spot = c.collision_free ? tightest_off_straight(problem_, plan_) : std::nullopt) {
       off_straight_ = true;
       const Vec2 near = point_on(problem_.footprint(), spot->pose, spot->point);

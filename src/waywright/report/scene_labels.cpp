@@ -39,7 +39,7 @@ Vec2 point_on(const Footprint& footprint, const Pose& pose, Vec2 obstacle) {
   return norm(d) > 0.0 ? pose.position() + std::min(1.0, footprint.disc / norm(d)) * d : pose.position();
 }
 
-void draw_tightest_spot(SvgWriter& svg, const Canvas& canvas, const Footprint& footprint, const Certificate& c, bool has_pose_error) {
+void draw_tightest_spot(SvgWriter& svg, const Canvas& canvas, const Footprint& footprint, const Certificate& c, bool has_pose_error, bool is_proven) {
   const Vec2 on = point_on(footprint, *c.tightest, c.tightest_point);
   const double gap = distance(on, c.tightest_point);
   svg.polygon(outline_at(footprint, *c.tightest), c.collision_free ? "ghost" : "hit");
@@ -51,7 +51,7 @@ void draw_tightest_spot(SvgWriter& svg, const Canvas& canvas, const Footprint& f
   const Vec2 away{c.tightest_point.x - on.x, on.y - c.tightest_point.y - 1e-3 * from_middle.y};
   const bool second_line = c.collision_free && has_pose_error;
   label_beside(svg, canvas, c.tightest_point, away,
-               {c.collision_free && !second_line ? fmt::format("{:.1f} mm proven", 1000.0 * c.clearance) : gap > 0.0 ? fmt::format("{:.1f} mm", 1000.0 * gap) : "touches", "tighttext",
+               {c.collision_free && !second_line ? fmt::format("{:.1f} mm{}", 1000.0 * c.clearance, is_proven ? " proven" : "") : gap > 0.0 ? fmt::format("{:.1f} mm", 1000.0 * gap) : "touches", "tighttext",
                 second_line ? fmt::format("{:.1f} with pose error", 1000.0 * c.clearance) : ""});
 }
 

@@ -70,7 +70,7 @@ struct Label {
 /// Writes beside a point, on the side that `away` points to (pixels), moved into the map where it would be cut off.
 void label_beside(SvgWriter& svg, const Canvas& canvas, Vec2 point, Vec2 away, const Label& label);
 /// The tightest spot of a certificate, with its clearance: of the footprint at its pose to the obstacle's point.
-void draw_tightest_spot(SvgWriter& svg, const Canvas& canvas, const Footprint& footprint, const Certificate& certificate, bool has_pose_error);
+void draw_tightest_spot(SvgWriter& svg, const Canvas& canvas, const Footprint& footprint, const Certificate& certificate, bool has_pose_error, bool is_proven);
 /// The footprint's point nearest to an obstacle's.
 Vec2 point_on(const Footprint& footprint, const Pose& pose, Vec2 obstacle);
 

@@ -145,7 +145,7 @@ constexpr std::string_view rules = R"(
 .ww .searchline{fill:none;stroke:var(--zone);stroke-width:.7;stroke-opacity:.55}.ww .searchagent{fill:none;stroke:var(--dear);stroke-width:1;stroke-opacity:.8}
 .ww .tightdot{fill:var(--bad)}.ww .hit{fill:var(--bad);fill-opacity:.14;stroke:var(--bad);stroke-width:1.4}
 .ww .spot{fill:var(--paper);stroke:var(--bad);stroke-width:2}.ww .spotline{stroke:var(--bad);stroke-width:1.2;stroke-dasharray:4 3}
-.ww .load{fill:var(--back);fill-opacity:.13;stroke:var(--back);stroke-width:.9;stroke-dasharray:4 2}
+.ww .load{fill:var(--back);fill-opacity:.13;stroke:var(--back);stroke-width:.9;stroke-dasharray:4 2}.ww .setdown{fill:var(--solid);fill-opacity:.75;stroke:var(--back);stroke-width:2}
 .ww .region{fill:var(--zone);fill-opacity:.14;stroke:var(--zone);stroke-width:1.6}
 .ww .badge{fill:var(--paper);stroke-width:3px}.ww .badgetext{font-size:12px;font-weight:700;text-anchor:middle}
 .ww .stop{fill:var(--paper);stroke:var(--ink);stroke-width:1.8}.ww .frame{fill:none;stroke:var(--grid);stroke-width:1}
@@ -156,7 +156,7 @@ constexpr std::string_view rules = R"(
 .ww .bar{stroke:var(--ink);stroke-width:2}.ww .axis{stroke:var(--soft);stroke-width:1}.ww .gridline{stroke:var(--grid);stroke-width:1}
 .ww .curve{fill:none;stroke:var(--ink);stroke-width:1.8}.ww .limit{stroke:var(--bad);stroke-width:1.4;stroke-dasharray:6 4}
 .ww .bandback{fill:var(--back);fill-opacity:.09}.ww .bandfwd{fill:var(--fwd);fill-opacity:.09}
-.ww .change{stroke:var(--soft);stroke-width:1.2;stroke-dasharray:2 3}.ww .title{font-size:13px;font-weight:600}.ww .end{text-anchor:end}
+.ww .change{stroke:var(--soft);stroke-width:1.2;stroke-dasharray:2 3}.ww .spin{stroke:var(--shelf);stroke-width:2}.ww .ceiling{fill:none;stroke:var(--bad);stroke-width:2}.ww .title{font-size:13px;font-weight:600}.ww .end{text-anchor:end}
 .ww .middle{text-anchor:middle}
 )";
 

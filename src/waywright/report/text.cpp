@@ -30,6 +30,7 @@ std::string plan_text(const Plan& plan) {
     else
       row("clearance", c.collision_free ? fmt::format("{}, {:g} m asked for; the path is not proven",
                                                       clearance_words(c), plan.scenario.clearance)
+                            : plan.status == Status::canceled ? "not proven: the run was interrupted"
                                         : "none: it touches or may touch");
     row("greatest curvature", std::isfinite(limit)
                                   ? fmt::format("{:.4f} 1/m (limit {:.4f})", m.max_curvature, limit)

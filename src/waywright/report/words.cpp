@@ -50,14 +50,15 @@ std::string headline(const Plan& plan) {
     case Status::timed_out:
       return "Out of time, no path yet";
     case Status::canceled:
-      return "Interrupted, no path yet";
+      return plan.path.pieces.empty() ? "Interrupted, no path yet" : "Interrupted: a path, not proven";
   }
   return to_string(plan.status);
 }
 
-std::string as_sentence(std::string text) {
+std::string as_sentence(std::string text, std::string_view planner) {
   if (text.empty()) return text;
-  if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  const bool is_name = !planner.empty() && text.starts_with(planner);
+  if (!is_name && text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
   if (text.back() != '.') text += '.';
   return text;
 }
@@ -93,7 +94,7 @@ std::optional<std::string> alignment_warning(const Scenario& scenario) {
 std::vector<std::string> warnings(const Plan& plan) {
   std::vector<std::string> all;
   if (plan.status == Status::canceled) {
-    all.emplace_back("The run was interrupted before there was a path.");
+    all.emplace_back(plan.path.pieces.empty() ? "The run was interrupted before there was a path." : "The run was interrupted before its path was proven.");
   } else if (!plan.reproducible) {
     all.push_back(
         fmt::format("The work was cut short by {}: another run may give another {}.",
@@ -109,16 +110,16 @@ std::string reason_once(const Plan& plan, bool beside_alternatives) {
     // "…; the second choice found none either: WHY" ends before the why that stands in the table.
     const std::size_t at = core_of(a.outcome).empty() ? std::string::npos : plan.reason.find(core_of(a.outcome));
     if (at == std::string::npos || at < 2 || plan.reason.compare(at - 2, 2, ": ") != 0) continue;
-    return as_sentence(plan.reason.substr(0, at - 2));
+    return as_sentence(plan.reason.substr(0, at - 2), plan.planner);
   }
   std::size_t first = std::string::npos;
   for (const std::string& sentence : plan.explanation) {
     if (says(sentence, plan.reason)) continue;
-    if (!says(plan.reason, sentence)) return as_sentence(plan.reason);
+    if (!says(plan.reason, sentence)) return as_sentence(plan.reason, plan.planner);
     first = std::min(first, plan.reason.find(core_of(sentence)));
   }
-  if (first == std::string::npos || first == 0) return as_sentence(plan.reason);
-  return as_sentence(std::string{core_of(std::string_view{plan.reason}.substr(0, first))});
+  if (first == std::string::npos || first == 0) return as_sentence(plan.reason, plan.planner);
+  return as_sentence(std::string{core_of(std::string_view{plan.reason}.substr(0, first))}, plan.planner);
 }
 
 std::vector<std::string> explanation_once(const Plan& plan, bool beside_alternatives) {

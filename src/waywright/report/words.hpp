@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "waywright/judge/plan.hpp"
@@ -13,8 +14,8 @@ namespace waywright {
 /// One line for the whole result.
 std::string headline(const Plan& plan);
 
-/// Starts with a capital and ends with a full stop; "" stays "".
-std::string as_sentence(std::string text);
+/// Starts with a capital, but for a planner's name, and ends with a full stop; "" stays "".
+std::string as_sentence(std::string text, std::string_view planner);
 
 /// "0.0741 m"; "more than 10 m" where nothing came near enough to be measured.
 std::string clearance_words(const Certificate& certificate);

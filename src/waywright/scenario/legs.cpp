@@ -35,10 +35,11 @@ std::vector<NumberedShelf> shelves_beside(const Scenario& mission, const Station
   return found;
 }
 
-/// The map's world with the shelves of other legs, by their names.
-World with_shelves(const Scenario& mission, const Station* own, const World& of_map) {
+/// The map's world with the shelves of other legs and the loads that stand there, by their names.
+World furnished(const Scenario& mission, const Station* own, const std::vector<LeftLoad>& standing, const World& of_map) {
   World world = of_map;
   for (const auto& [shelf, leg] : shelves_beside(mission, own)) world.add_obstacle(shelf->outline(), fmt::format("the shelf of leg {}", leg + 1));
+  for (const LeftLoad& load : standing) world.add_obstacle(outline_of(mission, load), title_of(load));
   return world;
 }
 
@@ -68,10 +69,17 @@ bool is_way_out(const Leg& leg) { return station_of(leg) != nullptr && station_o
 
 }  // namespace
 
-LegBegin first_leg(const Scenario& mission) { return {0, mission.start, mission.carried_load}; }
+LegBegin first_leg(const Scenario& mission) { return {0, mission.start, mission.carried_load, {}}; }
 
 LegBegin next_leg(const Scenario& mission, const LegBegin& leg, const Pose& end) {
-  return {leg.index + 1, end, mission.legs[leg.index].load.value_or(leg.load)};
+  return {leg.index + 1, end, mission.legs[leg.index].load.value_or(leg.load), left_after(mission, leg.index, leg.left, leg.load, end)};
+}
+
+bool is_standing(const Scenario& mission, const LegBegin& begin) {
+  const Leg& leg = mission.legs[begin.index];
+  const auto* goal = std::get_if<Pose>(&leg.mission);
+  if (goal == nullptr || !leg.load || !leg.waypoints.empty() || (begin.index == 0 && mission.start_motion.speed != 0.0)) return false;
+  return distance(goal->position(), begin.pose.position()) <= same_place && std::abs(shorter_turn(goal->heading, begin.pose.heading)) <= same_place;
 }
 
 std::string leg_label(const Scenario& mission, std::size_t index) {
@@ -113,12 +121,13 @@ Scenario leg_scenario(const Scenario& mission, const LegBegin& begin) {
   scenario.carried_load = begin.load;
   scenario.planner = planner_of(mission, leg);
   for (const auto& [shelf, unused] : shelves_beside(mission, station_of(leg))) scenario.map.obstacles.push_back(shelf->outline());
+  for (const LeftLoad& load : standing_on(mission, begin.index, begin.left)) scenario.map.obstacles.push_back(outline_of(mission, load));
   return scenario;
 }
 
 Parsed<Problem> prepare_leg(const Scenario& mission, const LegBegin& begin, const World& of_map) {
   const Leg& leg = mission.legs[begin.index];
-  const World world = with_shelves(mission, station_of(leg), of_map);
+  const World world = furnished(mission, station_of(leg), standing_on(mission, begin.index, begin.left), of_map);
   auto problem = Problem::prepare(leg_scenario(mission, begin), &world);
   if (!problem) return tl::unexpected{error_of_leg(mission, begin, problem.error())};
   if (problem->is_driven_back()) {
@@ -155,6 +164,13 @@ Parsed<void> check_legs(const Scenario& mission) {
       problem = prepare_leg(direct, begin, empty);
     }
     if (!problem) return tl::unexpected{problem.error()};
+    const std::string taken = mission.legs[begin.index].load.value_or("");
+    if (!taken.empty() && !begin.load.empty()) {
+      const auto since = load_changed_by(mission, begin.index);
+      return tl::unexpected{InputError{"", fmt::format("legs[{}].load", begin.index),
+                                       fmt::format("\"{}\" is taken while \"{}\" is carried, {}", taken, begin.load, since ? fmt::format("since leg {}", *since + 1) : std::string{"from the beginning"}),
+                                       "a load where none is carried: let a leg before it end with \"load\": null"}};
+    }
     begin = next_leg(without_map, begin, problem->last_pose());
   }
   if (const auto last = check_last_load(without_map, begin, empty); !last) return tl::unexpected{last.error()};
@@ -181,7 +197,7 @@ Parsed<std::optional<Failure>> check_last_load(const Scenario& mission, const Le
     out.manoeuvre = Manoeuvre::undock;
     standing.mission = out;
   }
-  const World world = with_shelves(mission, in_shelf ? station : nullptr, of_map);
+  const World world = furnished(mission, in_shelf ? station : nullptr, standing_on(mission, end.index, end.left), of_map);
   auto problem = Problem::prepare(standing, &world);
   if (problem && in_shelf) {  // only the pose in the shelf is asked for: the docked one of the loaded vehicle stands for the other end
     standing.start = problem->goal();

@@ -2,6 +2,8 @@
 #include "waywright/core/elementary.hpp"
 #include "waywright/geometry/boolean.hpp"
 #include "waywright/path/remainder.hpp"
+#include "waywright/scenario/blocked_region.hpp"
+#include "waywright/scenario/outline.hpp"
 
 #include <fmt/format.h>
 
@@ -23,15 +25,6 @@ InputError refuse(std::string field, std::string problem, std::string allowed) {
   return InputError{"", std::move(field), std::move(problem), std::move(allowed)};
 }
 
-/// A disc as the polygon around it.
-Ring around_disc(double radius) {
-  constexpr int corners = 32;
-  Ring ring;
-  const double outer = radius / sin_cos(pi / 2 - pi / corners).sin;
-  for (int i = 0; i < corners; ++i) ring.push_back(outer * unit(2.0 * pi * i / corners));
-  return ring;
-}
-
 /// The vehicle's footprint with the load that it carries.
 std::variant<Footprint, InputError> carried_footprint(const Scenario& scenario) {
   const Footprint& own = scenario.vehicle.footprint;
@@ -44,8 +37,7 @@ std::variant<Footprint, InputError> carried_footprint(const Scenario& scenario) 
                   names.empty() ? "no load: vehicle.loads is empty" : names);
   }
   const Footprint& carried = load->second.footprint;
-  const auto polygon = [](const Footprint& f) { return f.is_disc() ? around_disc(f.disc) : f.polygon; };
-  const auto both = joined(polygon(own), polygon(carried));
+  const auto both = joined(polygon_around(own), polygon_around(carried));
   if (!both) {
     return refuse("vehicle.loads." + scenario.carried_load + ".footprint", "load and vehicle do not make one simple polygon",
                   "a load that overlaps the vehicle's footprint and leaves no hole");
@@ -274,6 +266,9 @@ std::optional<Failure> Problem::check_ends() const {
     if (!is_start && free_goal() != nullptr) {
       // Whether one of many poses is free, the search finds; not where not even the largest disc in the footprint is, whatever it faces.
       const Footprint inside{{}, footprint_.inner_radius()};
+      if (!free_goal()->is_point()) {
+        if (auto blocked = blocked_region(world_, free_goal()->area, inside.disc, required)) return blocked;
+      }
       if (!free_goal()->is_point() || !(inside.disc > 0.0)) break;
       const Contact contact = world_.clearance(inside, goal(), required + 1.0);
       if (contact.clearance == 0.0 || contact.clearance < required - 1e-9) return end_failure(world_, contact, goal(), false, required);

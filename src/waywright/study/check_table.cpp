@@ -89,7 +89,7 @@ std::string failed_table(const std::vector<Checked>& checked, const std::vector<
   for (const Checked& c : checked) {
     if (is_solved(c)) continue;
     const std::string link = link_to(places[c.place].folder);
-    out += row_of(link, c, fmt::format("<td class=\"bad\">{}</td><td class=\"reason\">{}</td>", to_string(c.figures.status), escaped(as_sentence(c.figures.reason))), 4);
+    out += row_of(link, c, fmt::format("<td class=\"bad\">{}</td><td class=\"reason\">{}</td>", to_string(c.figures.status), escaped(as_sentence(c.figures.reason, c.figures.planner))), 4);
   }
   if (out.empty()) return out;
   return "<h2>Not solved</h2>\n<div class=\"wrap\"><table class=\"check\"><thead><tr><th></th><th>Place</th><th>Status</th><th>Reason</th></tr></thead><tbody>\n" + out + "</tbody></table></div>\n";
@@ -155,7 +155,7 @@ std::string check_headline(const CheckCounts& counts) {
 std::string check_text(const std::vector<Checked>& checked, const std::vector<Place>&, const CheckCounts& counts, std::size_t most) {
   std::string out = check_headline(counts) + "\n";
   for (const Checked& c : checked) {
-    if (!is_solved(c)) out += fmt::format("  {}: {}: {}\n", c.figures.name, to_string(c.figures.status), as_sentence(c.figures.reason));
+    if (!is_solved(c)) out += fmt::format("  {}: {}: {}\n", c.figures.name, to_string(c.figures.status), as_sentence(c.figures.reason, c.figures.planner));
   }
   std::vector<std::array<std::string, 7>> lines{{"place", "clear. m", "against", "way m", "against", "length m", "curv. 1/m"}};
   std::vector<std::string> times{"time s"};

@@ -36,11 +36,13 @@ struct Experiment {
   CellGrid own_grid;                      ///< that the publication's own searches: where it differs, with regular obstacles
   std::vector<PublishedTask> legs;        ///< planned one after the other
   std::array<std::array<std::optional<double>, 6>, 4> published{};  ///< by method and metric
+  std::string derived;                    ///< of figures that the publication does not print: how they follow from what it does; else empty
   std::array<Way, 4> ours;                ///< the published forms
   std::array<Way, 4> corrected;           ///< `astar`, `danger_astar`, `block_astar`, `safe_astar` for a point, proven
 };
 
-/// All of them, 9.1 to 9.4 of the reconstruction; searches are repeated so many times and their median taken. Fewer where `cancel` was raised.
+/// All of them, 9.1 to 9.4 of the reconstruction. Searches are timed alike, whatever the form: everything that can be prepared is, one search warms up and is not
+/// counted, then so many are, and the median is taken. Fewer experiments where `cancel` was raised.
 std::vector<Experiment> safe_astar(int repetitions, const std::atomic<bool>* cancel);
 
 /// How much less than another method the publication's own has of something, %; of power: how much less is used. Formulas (21) to (26).

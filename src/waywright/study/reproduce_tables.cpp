@@ -68,10 +68,11 @@ std::string text(const std::vector<Experiment>& experiments) {
     for (const char* m : methods) out += fmt::format("  {:>9}", m);
     out += "  |  SHA* less than the first three, %\n";
     for (std::size_t metric = 0; metric < metrics.size(); ++metric) {
-      out += text_line(metrics[metric], "published", metric, published_line(e, metric));
+      out += text_line(metrics[metric], e.derived.empty() ? "published" : "derived", metric, published_line(e, metric));
       out += text_line("", "ours", metric, line_of_ways(e.ours, metric));
       out += text_line("", "corrected", metric, line_of_ways(e.corrected, metric));
     }
+    if (!e.derived.empty()) out += fmt::format("  derived: {}\n", e.derived);
     for (std::size_t m = 0; m < methods.size(); ++m) {
       if (!e.ours[m].reason.empty()) out += fmt::format("  {} as published: {}\n", methods[m], e.ours[m].reason);
       if (!e.corrected[m].reason.empty()) out += fmt::format("  {} corrected: {}\n", methods[m], e.corrected[m].reason);
@@ -79,6 +80,7 @@ std::string text(const std::vector<Experiment>& experiments) {
     out += "\n";
   }
   out += "published: as printed. ours: the same rules on the reconstructed maps. corrected: astar, danger_astar, block_astar and safe_astar for a point, each proven.\n"
+         "search s: published on its machine; ours and corrected timed alike, prepared, after one search to warm up.\n"
          "run s is the length at 1 m/s (the printed ones are at 0.93 m/s, driven by a tracker); of power % the reduction is of what is used.\n";
   return out;
 }
@@ -87,7 +89,7 @@ std::string csv(const std::vector<Experiment>& experiments) {
   std::string out = "experiment,map,metric,source,T_A,S_A,R_17,SHA,reduction_T_A_percent,reduction_S_A_percent,reduction_R_17_percent\n";
   for (const Experiment& e : experiments) {
     for (std::size_t metric = 0; metric < metrics.size(); ++metric) {
-      out += csv_line(e, metrics[metric], "published", published_line(e, metric));
+      out += csv_line(e, metrics[metric], e.derived.empty() ? "published" : "derived", published_line(e, metric));
       out += csv_line(e, metrics[metric], "ours", line_of_ways(e.ours, metric));
       out += csv_line(e, metrics[metric], "corrected", line_of_ways(e.corrected, metric));
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "waywright/study/run_cost.hpp"
 #include "waywright/study/short_names.hpp"
 
 namespace waywright {
@@ -62,6 +63,22 @@ std::string solved_words(const Summary& s) {
   return s.solved.all == 1 ? share : fmt::format("{} {:.2f}–{:.2f}", share, s.solved.low, s.solved.high);
 }
 
+/// What the costs of one scenario are, and whether they can be held against each other.
+std::string cost_words(const std::vector<Summary>& summaries, std::size_t scenario, const std::vector<std::string>& names) {
+  std::vector<std::pair<std::string, std::string>> objectives;  // and who has them
+  for (const Summary& s : summaries) {
+    if (s.scenario != scenario || s.costs == 0) continue;
+    const auto known = std::find_if(objectives.begin(), objectives.end(), [&](const auto& o) { return o.first == s.objective; });
+    if (known == objectives.end()) objectives.emplace_back(s.objective, names[s.contestant]);
+    else known->second += ", " + names[s.contestant];
+  }
+  if (objectives.empty()) return {};
+  if (objectives.size() == 1) return fmt::format("  cost: by the planner's own objective ({})\n", objectives.front().first);
+  std::string out = "  cost: by each planner's own objective; only those of one objective can be compared\n";
+  for (const auto& [objective, who] : objectives) out += fmt::format("    {}: {}\n", objective, who);
+  return out;
+}
+
 }  // namespace
 
 Spread spread_of(std::vector<double> values) {
@@ -99,7 +116,7 @@ std::vector<Summary> summarise(const std::vector<Run>& runs, std::size_t scenari
       std::size_t all = 0, solved = 0;
       const Run* first = nullptr;
       bool alike = true;
-      std::vector<double> length, clearance, change, time, evaluations, seconds;
+      std::vector<double> length, clearance, change, time, evaluations, seconds, cost;
       for (const Run& run : runs) {
         if (run.scenario != p || run.contestant != c) continue;
         ++all;
@@ -117,6 +134,9 @@ std::vector<Summary> summarise(const std::vector<Run>& runs, std::size_t scenari
         clearance.push_back(run.plan.certificate.clearance);
         change.push_back(run.plan.metrics.curvature_change);
         time.push_back(run.plan.metrics.travel_time);
+        const auto own = cost_of(run.plan);
+        if (own && summary.objective.empty()) summary.objective = own->objective;
+        if (own && own->objective == summary.objective) cost.push_back(own->cost);
       }
       summary.solved = share_of(solved, all);
       summary.paths = length.size();
@@ -125,6 +145,8 @@ std::vector<Summary> summarise(const std::vector<Run>& runs, std::size_t scenari
       summary.clearance = spread_of(clearance);
       summary.curvature_change = spread_of(change);
       summary.travel_time = spread_of(time);
+      summary.costs = cost.size();
+      summary.cost = spread_of(cost);
       summary.evaluations = spread_of(evaluations);
       summary.seconds = spread_of(seconds);
       summaries.push_back(summary);
@@ -140,9 +162,9 @@ std::string summary_text(const std::vector<Summary>& summaries, const std::vecto
   for (const std::string& name : shown.names) wide = std::max(wide, name.size());
   std::string out = shown.shared.empty() ? "" : "all of them: " + shown.shared + "\n";
   for (std::size_t p = 0; p < scenarios.size(); ++p) {
-    out += fmt::format("{}{}\n  {:<{}}  {:>19}  {:>8}  {:>22}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}\n",
+    out += fmt::format("{}{}\n  {:<{}}  {:>19}  {:>8}  {:>22}  {:>9}  {:>8}  {:>7}  {:>9}  {:>7}  {:>9}\n",
                        p == 0 ? "" : "\n", scenarios[p], shown.heading, wide, "solved (95 %)", "unproven",
-                       "length m [quartiles]", "clear. m", "Σ|Δκ|", "time s", "evals", "plan ms");
+                       "length m [quartiles]", "clear. m", "Σ|Δκ|", "time s", "cost", "evals", "plan ms");
     std::string below;
     for (const Summary& s : summaries) {
       if (s.scenario != p) continue;
@@ -152,10 +174,10 @@ std::string summary_text(const std::vector<Summary>& summaries, const std::vecto
       const std::string length = any ? fmt::format("{:>7.3f} [{:>5.2f}–{:>6.2f}]", s.length.median,
                                                    s.length.low_quartile, s.length.high_quartile)
                                      : "–";
-      out += fmt::format("  {:<{}}  {:>19}  {:>8}  {:>22}  {:>9}  {:>8}  {:>7}  {:>7}  {:>9}\n", label, wide,
+      out += fmt::format("  {:<{}}  {:>19}  {:>8}  {:>22}  {:>9}  {:>8}  {:>7}  {:>9}  {:>7}  {:>9}\n", label, wide,
                          solved_words(s), ran ? std::to_string(s.unproven) : "–", length,
                          figure(any, s.clearance.median, 4), figure(any, s.curvature_change.median, 3),
-                         figure(any, s.travel_time.median, 2),
+                         figure(any, s.travel_time.median, 2), figure(s.costs > 0, s.cost.median, 4),
                          figure(ran && contestants[s.contestant].command.empty(), s.evaluations.median, 0),
                          figure(ran, 1000.0 * s.seconds.median, 2));
       if (s.all_alike)
@@ -168,7 +190,7 @@ std::string summary_text(const std::vector<Summary>& summaries, const std::vecto
                              f.count > 1 ? fmt::format(", with seed {}", f.seed) : "", cut(f.reason));
       }
     }
-    out += below;
+    out += below + cost_words(summaries, p, shown.names);
   }
   return out;
 }
@@ -179,7 +201,7 @@ std::string runs_csv(const std::vector<Run>& runs, const std::vector<std::string
       "scenario,planner,seed,status,evaluations,plan_seconds,length,clearance,min_clearance,mean_clearance,"
       "max_curvature,max_curvature_rate,"
       "curvature_change,curvature_change_printed,turning,direction_changes,collision_risk,travel_time,"
-      "reason\n";
+      "cost,objective,reason\n";
   for (const Run& run : runs) {
     const Plan& p = run.plan;
     out += fmt::format("{},{},{},{},{},{:.6f}", quoted(scenarios[run.scenario]),
@@ -194,6 +216,8 @@ std::string runs_csv(const std::vector<Run>& runs, const std::vector<std::string
                          m.curvature_change, m.curvature_change_printed, m.turning, m.direction_changes,
                          m.collision_risk, m.travel_time);
     }
+    const auto own = cost_of(p);
+    out += own ? fmt::format(",{},{}", own->cost, quoted(own->objective)) : std::string{",,"};
     out += "," + quoted(p.reason) + "\n";
   }
   return out;

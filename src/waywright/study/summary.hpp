@@ -38,6 +38,9 @@ struct Summary {
   std::vector<Failures> failures;  ///< what was not solved, by status, in the order in which they came
   Spread length, clearance, curvature_change, travel_time, evaluations,
       seconds;  ///< paths found, proven or not; effort of all
+  std::string objective;  ///< whose costs these are; of the first path that has one
+  std::size_t costs = 0;  ///< paths with a cost by it
+  Spread cost;
 };
 std::vector<Summary> summarise(const std::vector<Run>& runs, std::size_t scenarios, std::size_t contestants);
 

@@ -49,7 +49,7 @@ PlanningResult PatternDockingPlanner::plan(const PreparedDocking& prepared, Budg
 
   PlanningResult second = fallback_->plan(problem, budget);
   if (second) {
-    std::vector<std::string> text{"No docking pattern fits; this path is the second choice, found by the general planner " +
+    std::vector<std::string> text{"No " + std::string{pattern_name(problem)} + " fits; this path is the second choice, found by the general planner " +
                                   std::string{fallback_->name()} + "."};
     text.insert(text.end(), second->explanation.begin(), second->explanation.end());
     text.insert(text.end(), failure.explanation.begin(), failure.explanation.end());

@@ -116,6 +116,8 @@ std::vector<std::string> entry_sentences(const Problem& problem, const PatternSo
 
 }  // namespace
 
+const char* pattern_name(const Problem& problem) { return std::holds_alternative<Station>(problem.scenario().mission) ? "docking pattern" : "pattern with one change of direction"; }
+
 std::vector<SideOutcome> outcomes_of(const PreparedDocking& prepared, const PatternSolver& solver, const Budget& budget) {
   std::vector<SideOutcome> outcomes;
   const std::vector<TransitionZone>& zones = prepared.task().zones;
@@ -143,14 +145,17 @@ std::vector<std::string> explain(const Problem& problem, const PatternDockingOpt
   const double back = length(best.path.pieces[0]);
   const double forth = length(best.path.pieces[1]);
   const Pose& docked = problem.goal();
+  // Only at a shelf are there forks that come first, and a pose that is docked.
+  const bool docks = std::holds_alternative<Station>(problem.scenario().mission);
+  const char* forwards = docks && !problem.vehicle().footprint.is_disc() ? "forks first" : "forwards";
   text.push_back(
       problem.is_driven_back()
           ? fmt::format("The vehicle backs {:.2f} m from the docked pose ({:.3f}, {:.3f}) to the transition point ({:.3f}, {:.3f}), the first {:.2f} m "
-                        "straight, stops, and drives {:.2f} m forks first to the last pose.",
-                        forth, docked.x, docked.y, best.transition.x, best.transition.y, options.leads.dock, back)
-          : fmt::format("The vehicle backs {:.2f} m to the transition point ({:.3f}, {:.3f}), stops, and drives {:.2f} m forks first into the "
-                        "docked pose ({:.3f}, {:.3f}); the last {:.2f} m are straight.",
-                        back, best.transition.x, best.transition.y, forth, docked.x, docked.y, options.leads.dock));
+                        "straight, stops, and drives {:.2f} m {} to the last pose.",
+                        forth, docked.x, docked.y, best.transition.x, best.transition.y, options.leads.dock, back, forwards)
+          : fmt::format("The vehicle backs {:.2f} m to the transition point ({:.3f}, {:.3f}), stops, and drives {:.2f} m {} into the "
+                        "{} ({:.3f}, {:.3f}); the last {:.2f} m are straight.",
+                        back, best.transition.x, best.transition.y, forth, forwards, docks ? "docked pose" : "goal pose", docked.x, docked.y, options.leads.dock));
   text.push_back(fmt::format("The cost is {:.2g} × change of curvature + {:.2g} × length, each over that of the reference "
                              "pattern{}; among the candidates that keep every limit and {:.3f} m from everything it is the "
                              "least found.",
@@ -179,7 +184,7 @@ PlanningFailure failure_of(const Problem& problem, const DockingTask& task, cons
     sides.push_back(fmt::format("{} side {}", to_string(outcome.side), why));
   }
   failure.failure.status = budget.canceled() ? Status::canceled : budget.cut_short() ? Status::timed_out : Status::no_path;
-  failure.failure.reason = fmt::format("no docking pattern fits: {}", fmt::join(sides, ", "));
+  failure.failure.reason = fmt::format("no {} fits: {}", pattern_name(problem), fmt::join(sides, ", "));
   if (const auto stop = problem.check_stop()) {
     failure.failure.reason += "; " + stop->reason;
     failure.failure.point = stop->point;

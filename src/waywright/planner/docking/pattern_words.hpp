@@ -10,6 +10,9 @@
 
 namespace waywright {
 
+/// What the pattern is called: a docking pattern only where something is docked at.
+const char* pattern_name(const Problem& problem);
+
 /// Every side's story.
 std::vector<SideOutcome> outcomes_of(const PreparedDocking& prepared, const PatternSolver& solver, const Budget& budget);
 

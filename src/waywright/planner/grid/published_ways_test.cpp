@@ -88,6 +88,20 @@ TEST(PublishedWays, AgreeWithThePrototypeOfTheReconstruction) {
   }
 }
 
+/// On the first random map ways of equal cost lead the two to cells beside each other, from which the goal is seen: the way to there is one of a hundredth of a percent less, and turns less.
+TEST(PublishedWays, AgreeWithThePrototypeUpToATieOnRandom1) {
+  const Measured danger = measured("SA-RAND1", PublishedMethod::danger), sha = measured("SA-RAND1", PublishedMethod::boundary);
+  EXPECT_NEAR(danger.length, 204.98, 0.006);
+  EXPECT_NEAR(danger.turning, 18.1, 0.06);
+  EXPECT_NEAR(danger.risk, 0.0, 0.06);
+  const Cell last = sha.way.boundary.last;
+  EXPECT_LE(std::abs(last.column - 123), 2);
+  EXPECT_LE(std::abs(last.row - (199 - 167)), 2);
+  EXPECT_NEAR(sha.length, 198.01, 0.03);
+  EXPECT_LE(sha.turning, 11.3 + 0.06);
+  EXPECT_NEAR(sha.risk, 0.0, 0.06);
+}
+
 TEST(PublishedWays, LinesHaveTheirSearchesAroundWhatTheyCross) {
   for (const char* name : {"SA-CONVEX", "SA-NARROW", "SA-RAND1", "SA-RAND2", "SA-RAND3", "SA-IRR", "SA-IRR-REG"}) {
     SCOPED_TRACE(name);

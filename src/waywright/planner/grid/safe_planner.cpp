@@ -312,6 +312,9 @@ class SafePlanner::Ready {
     planned.path = to_goal(actions);
     const Turning turning = turning_of(planned.path);
     planned.explanation.push_back(std::move(how));
+    if (options_.method == PublishedMethod::boundary && options_.regularise) {
+      planned.explanation.push_back("Rectangles stood in place of obstacles that are not convex while it was searched, except where start or goal would be in one.");
+    }
     planned.explanation.push_back(fmt::format("It is {:.3f} m long, the straight line from start to goal {:.3f} m, less than which no way can be; it turns on the spot {}, {:.1f}° in all.",
                                               length(planned.path), least_way(problem_),
                                               turning.turns == 1 ? std::string{"once"} : fmt::format("{} times", turning.turns), turning.angle * 180.0 / pi));
