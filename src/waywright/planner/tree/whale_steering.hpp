@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "waywright/optimizer/whale_step.hpp"
-#include "waywright/planner/plane/shadow.hpp"
+#include "waywright/planner/plane/view.hpp"
 #include "waywright/planner/tree/plane_tree.hpp"
 
 namespace waywright {
@@ -26,7 +26,7 @@ class WhaleSteering final : public TreeSteering {
   Vec2 aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) override;
 
   std::int64_t evaluations() const { return evaluations_; }
-  std::int64_t lines() const { return lines_; }  ///< whose freedom was asked for
+  std::int64_t lines() const { return lines_; }  ///< that were looked along: not those that the view of the goal tells
 
   /// The cost of a place, whole.
   double cost(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal) const;
@@ -36,16 +36,37 @@ class WhaleSteering final : public TreeSteering {
     Vec2 at{};
     double cost = 0.0;
   };
-  void look(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal, Best& best);
+  struct Candidate {
+    double least = 0.0;  // of its cost
+    std::size_t agent = 0;
+    View::Seen goal = View::Seen::not_told;
+  };
+  struct Aim {
+    Vec2 near, sample, goal;
+    double room;  // m, of near
+  };
+  struct Move {
+    WhaleStep step;
+    std::size_t other = 0;  // agent that a search goes to
+  };
+  void prepare_view(Vec2 goal);
+  void draw_moves(Random& random);
+  void look(const Aim& aim, Best& best);
+  double whole_cost(const Aim& aim, const Candidate& candidate, double enough);
   Vec2 into_disc(Vec2 x, Vec2 middle) const;
+  Vec2 agent(std::size_t i) const { return {x_[i], y_[i]}; }
 
   const PlaneSpace& space_;
   WhaleSteeringOptions options_;
   double per_radius_, per_diagonal_;
-  Shadow shadow_;  // of the goal, where it stays the same from one extension to the next
+  View view_;  // of the goal, where it stays the same from one extension to the next
   Vec2 last_goal_{};
-  bool has_goal_ = false;
-  std::vector<Vec2> agents_;
+  bool has_goal_ = false, has_view_ = false;
+  std::vector<double> x_, y_, bases_;  // of the agents: places, costs of distances
+  std::vector<Candidate> candidates_;
+  std::vector<Move> moves_;            // of all iterations, ahead: they do not depend on what is found
+  std::vector<double> spirals_;        // of the spirals among them: l, then the factor; which moves they are
+  std::vector<std::uint32_t> spiral_moves_;
   std::int64_t evaluations_ = 0, lines_ = 0;
 };
 
