@@ -1,7 +1,5 @@
 #include "waywright/planner/tree/whale_steering.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,11 +13,14 @@ constexpr double blocked_weight = 10.0;
 WhaleSteering::WhaleSteering(const PlaneSpace& space, const WhaleSteeringOptions& options)
     : space_{space}, options_{options}, per_radius_{options.sample_weight / options.radius}, per_diagonal_{options.goal_weight / norm(space.region().high - space.region().low)} {
   const auto population = static_cast<std::size_t>(options.population);
-  for (std::vector<double>* values : {&x_, &y_, &bases_}) values->resize(population);
+  for (std::vector<double>* values : {&x_, &y_, &new_x_, &new_y_, &bases_}) values->resize(population);
   candidates_.reserve(population);
-  moves_.resize(population * static_cast<std::size_t>(options.iterations));
-  spirals_.resize(moves_.size() + 1);
-  spiral_moves_.resize(moves_.size() + 1);
+  const std::size_t moves = population * static_cast<std::size_t>(options.iterations);
+  factors_.resize(moves);
+  scales_.resize(moves);
+  others_.resize(moves);
+  spirals_.resize(moves + 1);
+  spiral_moves_.resize(moves + 1);
 }
 
 double WhaleSteering::cost(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal) const {
@@ -61,7 +62,12 @@ double WhaleSteering::whole_cost(const Aim& aim, const Candidate& candidate, dou
 void WhaleSteering::look(const Aim& aim, Best& best) {
   const std::size_t population = x_.size();
   evaluations_ += static_cast<std::int64_t>(population);
-  for (std::size_t i = 0; i < population; ++i) bases_[i] = per_radius_ * distance(agent(i), aim.sample) + per_diagonal_ * distance(agent(i), aim.goal);
+  const double* const x = x_.data();
+  const double* const y = y_.data();
+  double* const bases = bases_.data();
+  const auto root = [](double dx, double dy) { return std::sqrt(dx * dx + dy * dy); };
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < population; ++i) bases[i] = per_radius_ * root(x[i] - aim.sample.x, y[i] - aim.sample.y) + per_diagonal_ * root(x[i] - aim.goal.x, y[i] - aim.goal.y);
   candidates_.clear();
   for (std::size_t i = 0; i < population; ++i) {
     double least = bases_[i];
@@ -89,16 +95,6 @@ void WhaleSteering::look(const Aim& aim, Best& best) {
   }
 }
 
-Vec2 WhaleSteering::into_disc(Vec2 x, Vec2 middle) const {
-  const Vec2 off = x - middle;
-  const double squared = squared_norm(off);
-  // The root is taken whether it is needed or not, which cannot be guessed: of the square of the radius where it is not.
-  const double most = options_.radius * options_.radius;
-  const Vec2 moved = middle + (options_.radius / std::sqrt(std::max(squared, most))) * off;
-  const bool is_outside = squared > most;
-  return {is_outside ? moved.x : x.x, is_outside ? moved.y : x.y};
-}
-
 /// Of all iterations: what is drawn does not depend on what is found.
 void WhaleSteering::draw_moves(Random& random) {
   std::size_t spirals = 0;
@@ -109,45 +105,83 @@ void WhaleSteering::draw_moves(Random& random) {
       const WhaleDraws draws = WhaleDraws::from(random);
       const bool is_spiral = is_whale_spiral(options_.whale, draws);
       const WhaleStep step = whale_step_but_spiral(options_.whale, reach, draws);
-      Move& move = moves_[m];
-      move.step = {is_spiral ? WhaleMove::spiral : step.move, step.factor, is_spiral ? 1.0 : step.scale};
+      factors_[m] = -step.factor;
+      scales_[m] = is_spiral ? 1.0 : step.scale;
+      others_[m] = none;
       spirals_[spirals] = draws.l;  // each is written, and stays where it is one: no branch to guess
       spiral_moves_[spirals] = m;
       spirals += is_spiral ? 1 : 0;
-      if (move.step.move == WhaleMove::search) move.other = static_cast<std::size_t>(random.integer(0, options_.population - 1));
+      if (!is_spiral && step.move == WhaleMove::search) others_[m] = static_cast<std::uint32_t>(random.integer(0, options_.population - 1));
     }
   }
   whale_spirals(options_.whale, {spirals_.data(), spirals});
-  for (std::size_t k = 0; k < spirals; ++k) moves_[spiral_moves_[k]].step.factor = spirals_[k];
+  for (std::size_t k = 0; k < spirals; ++k) factors_[spiral_moves_[k]] = spirals_[k];
+}
+
+namespace {
+
+/// Moves coordinate by coordinate as make_whale_step has it, then into the disc about the sample. All plain numbers, so that the compiler makes vectors of many.
+struct Mover {
+  Vec2 low, high, middle, sample;
+  double radius;
+
+  static double moved(double factor, double scale, double target, double low, double high, double middle, double x) {
+    const double from_target = std::abs(scale * (target - middle) - (x - middle));
+    const double wanted = target + factor * from_target;
+    const double above = wanted < low ? low : wanted;
+    return above > high ? high : above;
+  }
+  void operator()(double factor, double scale, double target_x, double target_y, double x, double y, double& to_x, double& to_y) const {
+    const double at_x = moved(factor, scale, target_x, low.x, high.x, middle.x, x), at_y = moved(factor, scale, target_y, low.y, high.y, middle.y, y);
+    const double off_x = at_x - sample.x, off_y = at_y - sample.y, squared = off_x * off_x + off_y * off_y, most = radius * radius;
+    // The root is taken whether it is needed or not, which cannot be guessed: of the square of the radius where it is not.
+    const double share = radius / std::sqrt(squared > most ? squared : most);
+    to_x = squared > most ? sample.x + share * off_x : at_x;
+    to_y = squared > most ? sample.y + share * off_y : at_y;
+  }
+};
+
+}  // namespace
+
+/// One iteration, agent after agent: whoever searches goes to where the other one is by then.
+void WhaleSteering::move(std::size_t iteration, Vec2 leader, Vec2 sample) {
+  const std::size_t population = x_.size(), first = iteration * population;
+  const Vec2 reach{options_.radius, options_.radius};
+  const Vec2 low = sample - reach, high = sample + reach;
+  const Mover mover{low, high, {0.5 * (low.x + high.x), 0.5 * (low.y + high.y)}, sample, options_.radius};
+  const double* const factors = factors_.data() + first;
+  const double* const scales = scales_.data() + first;
+  const double* const x = x_.data();
+  const double* const y = y_.data();
+  double* const new_x = new_x_.data();
+  double* const new_y = new_y_.data();
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < population; ++i) mover(factors[i], scales[i], leader.x, leader.y, x[i], y[i], new_x[i], new_y[i]);
+  for (std::size_t i = 0; i < population; ++i) {
+    const std::uint32_t other = others_[first + i];
+    if (other == none) continue;
+    const bool has_moved = other < i;
+    mover(factors[i], scales[i], has_moved ? new_x[other] : x[other], has_moved ? new_y[other] : y[other], x[i], y[i], new_x[i], new_y[i]);
+  }
+  x_.swap(new_x_);
+  y_.swap(new_y_);
 }
 
 Vec2 WhaleSteering::aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
   prepare_view(goal);
   const Aim aim{near, sample, goal, space_.room(near)};
   Best best{sample, std::numeric_limits<double>::infinity()};
-  const std::size_t population = x_.size();
-  for (std::size_t i = 0; i < population; ++i) {
+  for (std::size_t i = 0; i < x_.size(); ++i) {
     Vec2 q{};
     do q = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
     while (squared_norm(q) > 1.0);
-    const Vec2 at = sample + options_.radius * q;
-    x_[i] = at.x;
-    y_[i] = at.y;
+    x_[i] = sample.x + options_.radius * q.x;
+    y_[i] = sample.y + options_.radius * q.y;
   }
   draw_moves(random);
   look(aim, best);
-  const std::array<double, 2> low{sample.x - options_.radius, sample.y - options_.radius}, high{sample.x + options_.radius, sample.y + options_.radius};
-  const Move* move = moves_.data();
-  for (int t = 0; t < options_.iterations; ++t) {
-    const Vec2 leader = best.at;
-    for (std::size_t i = 0; i < population; ++i, ++move) {
-      const Vec2 target = move->step.move == WhaleMove::search ? agent(move->other) : leader;
-      std::array<double, 2> x{x_[i], y_[i]};
-      make_whale_step(move->step, std::array{target.x, target.y}, low, high, x);
-      const Vec2 at = into_disc({x[0], x[1]}, sample);
-      x_[i] = at.x;
-      y_[i] = at.y;
-    }
+  for (std::size_t t = 0; t < static_cast<std::size_t>(options_.iterations); ++t) {
+    move(t, best.at, sample);
     look(aim, best);
   }
   return best.at;

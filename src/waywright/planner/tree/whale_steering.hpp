@@ -1,6 +1,8 @@
 // Steering of the RRT*-WOA publication's local variant: the whale optimisation algorithm looks around a sample for where the tree sees the goal.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "waywright/optimizer/whale_step.hpp"
@@ -45,16 +47,14 @@ class WhaleSteering final : public TreeSteering {
     Vec2 near, sample, goal;
     double room;  // m, of near
   };
-  struct Move {
-    WhaleStep step;
-    std::size_t other = 0;  // agent that a search goes to
-  };
   void prepare_view(Vec2 goal);
   void draw_moves(Random& random);
   void look(const Aim& aim, Best& best);
   double whole_cost(const Aim& aim, const Candidate& candidate, double enough);
-  Vec2 into_disc(Vec2 x, Vec2 middle) const;
+  void move(std::size_t iteration, Vec2 leader, Vec2 sample);
   Vec2 agent(std::size_t i) const { return {x_[i], y_[i]}; }
+
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   const PlaneSpace& space_;
   WhaleSteeringOptions options_;
@@ -64,8 +64,11 @@ class WhaleSteering final : public TreeSteering {
   bool has_goal_ = false, has_view_ = false;
   std::vector<double> x_, y_, bases_;  // of the agents: places, costs of distances
   std::vector<Candidate> candidates_;
-  std::vector<Move> moves_;            // of all iterations, ahead: they do not depend on what is found
-  std::vector<double> spirals_;        // of the spirals among them: l, then the factor; which moves they are
+  std::vector<double> new_x_, new_y_;  // while they move
+  // Moves of all iterations, ahead, as they do not depend on what is found: A negated, or the spiral's factor; C; the agent that a search goes to.
+  std::vector<double> factors_, scales_;
+  std::vector<std::uint32_t> others_;
+  std::vector<double> spirals_;  // of the spirals among them: l, then the factor; which moves they are
   std::vector<std::uint32_t> spiral_moves_;
   std::int64_t evaluations_ = 0, lines_ = 0;
 };
