@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bench/plane_scene.hpp"
 #include "waywright/core/random.hpp"
 #include "waywright/geometry/voronoi.hpp"
 #include "waywright/planner/plane/plane_ends.hpp"
@@ -15,38 +16,8 @@
 namespace waywright::bench {
 namespace {
 
-constexpr Vec2 start{1.0, 1.0}, goal{19.0, 19.0};
 constexpr int seeds = 20;
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
-
-/// 50 octagons in 20 × 20 m, 400 sides; a disc of 0.2 m.
-Scenario octagons() {
-  Scenario s;
-  Random random{7};
-  s.map.boundaries = {rectangle({0, 0}, {20, 20})};
-  while (s.map.obstacles.size() < 50) {
-    const Vec2 at{random.uniform(0.5, 19.5), random.uniform(0.5, 19.5)};
-    const double radius = random.uniform(0.3, 0.8);
-    if (distance(at, start) < radius + 0.5 || distance(at, goal) < radius + 0.5) continue;
-    Ring ring;
-    for (int i = 0; i < 8; ++i) ring.push_back(at + radius * unit(wrap(two_pi * i / 8.0)));
-    s.map.obstacles.push_back(ring);
-  }
-  s.vehicle.footprint = {{}, 0.2};
-  s.vehicle.drive = Differential{0.4};
-  s.start = make_pose(start, 0.0);
-  s.mission = make_pose(goal, 0.0);
-  return s;
-}
-
-struct Scene {
-  Problem problem = Problem::prepare(octagons()).value();
-  PlaneSpace space{problem};
-};
-const Scene& scene() {
-  static const Scene one;
-  return one;
-}
 
 /// Drawing, and lines tested when the search takes them.
 void prm_lazy(benchmark::State& state) {

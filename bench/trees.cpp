@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <memory>
 
+#include "bench/plane_scene.hpp"
 #include "bench/yardstick/ompl_plane.hpp"
 #include "bench/yardstick/plain_whale.hpp"
 #include "waywright/core/random.hpp"
@@ -18,38 +18,8 @@
 namespace waywright::bench {
 namespace {
 
-constexpr Vec2 start{1.0, 1.0}, goal{19.0, 19.0};
 constexpr int seeds = 20;
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
-
-/// 50 octagons in 20 × 20 m, 400 sides; a disc of 0.2 m.
-Scenario octagons() {
-  Scenario s;
-  Random random{7};
-  s.map.boundaries = {rectangle({0, 0}, {20, 20})};
-  while (s.map.obstacles.size() < 50) {
-    const Vec2 at{random.uniform(0.5, 19.5), random.uniform(0.5, 19.5)};
-    const double radius = random.uniform(0.3, 0.8);
-    if (distance(at, start) < radius + 0.5 || distance(at, goal) < radius + 0.5) continue;
-    Ring ring;
-    for (int i = 0; i < 8; ++i) ring.push_back(at + radius * unit(wrap(two_pi * i / 8.0)));
-    s.map.obstacles.push_back(ring);
-  }
-  s.vehicle.footprint = {{}, 0.2};
-  s.vehicle.drive = Differential{0.4};
-  s.start = make_pose(start, 0.0);
-  s.mission = make_pose(goal, 0.0);
-  return s;
-}
-
-struct Scene {
-  Problem problem = Problem::prepare(octagons()).value();
-  PlaneSpace space{problem};
-};
-const Scene& scene() {
-  static const Scene one;
-  return one;
-}
 
 void prepare_space(benchmark::State& state) {
   const Problem& problem = scene().problem;
@@ -67,46 +37,67 @@ void rrt_star_ours(benchmark::State& state) {
     benchmark::DoNotOptimize(tree.length());
   }
   int found = 0;
+  double nodes = 0.0;
   for (std::uint64_t s = 1; s <= seeds; ++s) {
     Budget budget;
     tree.grow(scene().space, {.samples = state.range(0)}, start, {{goal}}, s, budget, no_limit);
+    nodes += static_cast<double>(tree.size()) / seeds;
     if (!tree.is_found()) continue;
     ++found;
     metres += tree.length();
   }
   state.counters["mean_m"] = found > 0 ? metres / found : 0.0;
   state.counters["found"] = found;
+  state.counters["nodes"] = nodes;
 }
 BENCHMARK(rrt_star_ours)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
+/// same 1: the places that ours draws, in the same order, and our radius; 0: as it comes, with its own.
 void rrt_star_ompl(benchmark::State& state) {
   std::uint32_t seed = 0;
   const auto samples = static_cast<unsigned>(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(yardstick::rrt_star(scene().space, start, goal, samples, 1.0, 1 + seed++ % seeds).length);
+  const bool is_same = state.range(1) != 0;
+  const auto run = [&](std::uint32_t s, bool counts_nodes) { return yardstick::rrt_star(scene().space, start, goal, samples, 1.0, s, is_same, counts_nodes); };
+  for (auto _ : state) benchmark::DoNotOptimize(run(1 + seed++ % seeds, false).length);
   int found = 0;
-  double metres = 0.0;
+  double metres = 0.0, nodes = 0.0;
   for (std::uint32_t s = 1; s <= seeds; ++s) {
-    const double length = yardstick::rrt_star(scene().space, start, goal, samples, 1.0, s).length;
-    found += length > 0.0 ? 1 : 0;
-    metres += length;
+    const yardstick::OmplPlaneRun one = run(s, true);
+    found += one.length > 0.0 ? 1 : 0;
+    metres += one.length;
+    nodes += static_cast<double>(one.nodes) / seeds;
   }
   state.counters["mean_m"] = found > 0 ? metres / found : 0.0;
   state.counters["found"] = found;
+  state.counters["nodes"] = nodes;
 }
-BENCHMARK(rrt_star_ompl)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
+BENCHMARK(rrt_star_ompl)->ArgNames({"", "same"})->ArgsProduct({{1000, 10000}, {0, 1}})->Unit(benchmark::kMillisecond);
 
-void first_path(benchmark::State& state) {
+/// With the publication's radius, its extensions to the samples or aimed by whales.
+void grow_published(benchmark::State& state, bool ends_with_first, std::int64_t samples) {
+  const PlaneScene& on = *plane_scenes()[static_cast<std::size_t>(state.range(0))];
+  const bool is_local = state.range(1) != 0;
   PlaneTree tree;
   std::uint64_t seed = 0;
-  const bool is_local = state.range(0) != 0;
-  for (auto _ : state) {
+  double drawn = 0.0;
+  const auto grow = [&](std::uint64_t s) {
     Budget budget;
-    WhaleSteering steering{scene().space, {}};
-    tree.grow(scene().space, {.radius = 1.5, .first_path = true}, start, {{goal}}, 1 + seed++ % seeds, budget, no_limit, is_local ? &steering : nullptr);
+    WhaleSteering steering{on.space, {}};
+    tree.grow(on.space, {.samples = samples, .radius = 1.5, .first_path = ends_with_first}, on.from(), {{on.to()}}, s, budget, no_limit, is_local ? &steering : nullptr);
     benchmark::DoNotOptimize(tree.length());
+  };
+  for (auto _ : state) grow(1 + seed++ % seeds);
+  for (std::uint64_t s = 1; s <= seeds; ++s) {
+    grow(s);
+    drawn += static_cast<double>(tree.statistics().samples) / seeds;
   }
+  state.SetLabel(on.name);
+  state.counters["samples"] = drawn;
 }
-BENCHMARK(first_path)->ArgName("local")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+void first_path(benchmark::State& state) { grow_published(state, true, 10'000); }
+BENCHMARK(first_path)->ArgNames({"map", "local"})->ArgsProduct({{0, 1, 2, 3, 4, 5}, {0, 1}})->Unit(benchmark::kMillisecond);
+void whole_tree(benchmark::State& state) { grow_published(state, false, 2000); }
+BENCHMARK(whole_tree)->ArgNames({"map", "local"})->ArgsProduct({{0, 1, 2, 3, 4, 5}, {0, 1}})->Unit(benchmark::kMillisecond);
 
 /// A way of 20 points through the scene.
 std::vector<Vec2> way() {

@@ -1,5 +1,6 @@
 #include "bench/yardstick/ompl_plane.hpp"
 
+#include <ompl/base/PlannerData.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
@@ -7,6 +8,10 @@
 #include <ompl/geometric/planners/rrt/RRTstar.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
+
+#include <cmath>
+
+#include "waywright/core/random.hpp"
 
 namespace yardstick {
 namespace ob = ompl::base;
@@ -33,9 +38,31 @@ class Lines : public ob::MotionValidator {
   const waywright::PlaneSpace& space_;
 };
 
+/// What PlaneTree draws.
+class OurPlaces : public ob::StateSampler {
+ public:
+  OurPlaces(const ob::StateSpace* states, const waywright::PlaneSpace& space, std::uint64_t seed)
+      : ob::StateSampler{states}, space_{space}, random_{waywright::Random::stream(seed, 0)} {}
+  void sampleUniform(ob::State* state) override {
+    const waywright::Box& region = space_.region();
+    waywright::Vec2 p{};
+    do p = {random_.uniform(region.low.x, region.high.x), random_.uniform(region.low.y, region.high.y)};
+    while (!space_.is_free(p));
+    auto* s = state->as<Plane::StateType>();
+    s->values[0] = p.x;
+    s->values[1] = p.y;
+  }
+  void sampleUniformNear(ob::State* state, const ob::State*, double) override { sampleUniform(state); }
+  void sampleGaussian(ob::State* state, const ob::State*, double) override { sampleUniform(state); }
+
+ private:
+  const waywright::PlaneSpace& space_;
+  waywright::Random random_;
+};
+
 }  // namespace
 
-OmplPlaneRun rrt_star(const waywright::PlaneSpace& space, waywright::Vec2 start, waywright::Vec2 goal, unsigned samples, double range, std::uint32_t seed) {
+OmplPlaneRun rrt_star(const waywright::PlaneSpace& space, waywright::Vec2 start, waywright::Vec2 goal, unsigned samples, double range, std::uint32_t seed, bool is_same, bool counts_nodes) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   ompl::RNG::setSeed(seed);
   auto plane = std::make_shared<Plane>(2);
@@ -46,6 +73,7 @@ OmplPlaneRun rrt_star(const waywright::PlaneSpace& space, waywright::Vec2 start,
   bounds.setHigh(0, region.high.x);
   bounds.setHigh(1, region.high.y);
   plane->setBounds(bounds);
+  if (is_same) plane->setStateSamplerAllocator([&space, seed](const ob::StateSpace* states) { return std::make_shared<OurPlaces>(states, space, seed); });
   auto si = std::make_shared<ob::SpaceInformation>(plane);
   si->setStateValidityChecker([&space](const ob::State* state) { return space.is_free(place_of(state)); });
   si->setMotionValidator(std::make_shared<Lines>(si, space));
@@ -63,11 +91,20 @@ OmplPlaneRun rrt_star(const waywright::PlaneSpace& space, waywright::Vec2 start,
   planner.setRange(range);
   planner.setGoalBias(0.01);  // without any it never draws the goal and finds nothing
   planner.setKNearest(false);
+  if (is_same) {
+    const double ours = 1.0001 * 2.0 * std::sqrt(1.5) * std::sqrt(space.free_area() / waywright::pi);
+    planner.setRewireFactor(ours / std::sqrt(3.0 * plane->getMeasure() / waywright::pi));
+  }
   planner.setProblemDefinition(definition);
   planner.setup();
   planner.solve(ob::PlannerTerminationCondition{[&] { return planner.numIterations() >= samples; }});
   OmplPlaneRun run;
   run.iterations = planner.numIterations();
+  if (counts_nodes) {
+    ob::PlannerData data{si};
+    planner.getPlannerData(data);
+    run.nodes = data.numVertices();
+  }
   if (definition->hasExactSolution()) run.length = definition->getSolutionPath()->as<og::PathGeometric>()->length();
   return run;
 }

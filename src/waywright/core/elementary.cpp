@@ -1,10 +1,12 @@
 #include "waywright/core/elementary.hpp"
+#include "waywright/core/exponentials.hpp"
 
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace waywright {
 namespace {
@@ -121,15 +123,58 @@ double arc_tangent(double y, double x) {
   return std::signbit(y) ? -a : a;
 }
 
+namespace {
+
+// e^x = 2^k e^r, |r| ≤ ln2/2: Taylor, Horner from 1/14!. What is divided by a power of two is multiplied by its inverse: the same bits.
+constexpr std::array<double, 14> divisors{14.0, 13.0, 12.0, 11.0, 10.0, 9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0};
+constexpr bool is_power_of_two(double n) { return n == 1.0 || n == 2.0 || n == 4.0 || n == 8.0; }
+
+template <std::size_t width>
+void taylor(const std::array<double, width>& r, std::array<double, width>& p) {
+  p.fill(1.0);
+  const auto step = [&]<std::size_t n>() {
+    constexpr double by = divisors[n];
+    for (std::size_t i = 0; i < width; ++i) {
+      if constexpr (is_power_of_two(by)) p[i] = 1.0 + p[i] * r[i] * (1.0 / by);
+      else p[i] = 1.0 + p[i] * r[i] / by;
+    }
+  };
+  [&]<std::size_t... n>(std::index_sequence<n...>) { (step.template operator()<n>(), ...); }(std::make_index_sequence<divisors.size()>{});
+}
+
+}  // namespace
+
 double exponential(double x) {
   if (std::isnan(x)) return x;
   if (x > 709.0) return std::numeric_limits<double>::infinity();
   if (x < -708.0) return 0.0;
   const double k = std::floor(x * 1.4426950408889634 + 0.5);
   const double r = (x - k * ln2_1) - k * ln2_2;
-  double p = 1.0;  // Taylor on [−ln2/2, ln2/2], Horner from 1/14!
-  for (int n = 14; n >= 1; --n) p = 1.0 + p * r / static_cast<double>(n);
-  return std::ldexp(p, static_cast<int>(k));
+  std::array<double, 1> p;
+  taylor<1>({r}, p);
+  return std::ldexp(p[0], static_cast<int>(k));
+}
+
+void exponential_each(std::span<double> values) {
+  constexpr std::size_t width = 8;
+  std::size_t i = 0;
+  for (; i + width <= values.size(); i += width) {
+    bool is_plain = true;
+    for (std::size_t j = 0; j < width; ++j) is_plain = is_plain && std::abs(values[i + j]) <= 700.0;
+    if (!is_plain) {
+      for (std::size_t j = 0; j < width; ++j) values[i + j] = exponential(values[i + j]);
+      continue;
+    }
+    std::array<double, width> k, r, p;
+    for (std::size_t j = 0; j < width; ++j) {
+      k[j] = std::floor(values[i + j] * 1.4426950408889634 + 0.5);
+      r[j] = (values[i + j] - k[j] * ln2_1) - k[j] * ln2_2;
+    }
+    taylor<width>(r, p);
+    // Times 2^k: exact, as the product is neither too great nor too small for a plain number.
+    for (std::size_t j = 0; j < width; ++j) values[i + j] = p[j] * std::bit_cast<double>(static_cast<std::uint64_t>(static_cast<std::int64_t>(k[j]) + 1023) << 52U);
+  }
+  for (; i < values.size(); ++i) values[i] = exponential(values[i]);
 }
 
 }  // namespace waywright

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "waywright/core/exponentials.hpp"
 #include "waywright/core/random.hpp"
 
 namespace waywright {
@@ -23,6 +25,17 @@ TEST(Elementary, AgreesWithTheSystem) {
     ASSERT_NEAR(arc_tangent(y, x), t, 5e-16 * std::abs(t)) << y << " " << x;
     const double e = random.uniform(-700, 700);
     ASSERT_NEAR(exponential(e) / std::exp(e), 1.0, 1e-15) << e;
+  }
+}
+
+TEST(Elementary, ManyExponentialsAtOnceHaveTheSameBits) {
+  Random random{2};
+  for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 64U, 1000U}) {
+    std::vector<double> values, expected;
+    for (std::size_t i = 0; i < count; ++i) values.push_back(i % 97 == 5 ? 705.0 + static_cast<double>(i % 3) * 4.0 : random.uniform(-1.0, 1.0) * (i % 2 == 0 ? 1.0 : 720.0));
+    for (const double x : values) expected.push_back(exponential(x));
+    exponential_each(values);
+    for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(values[i], expected[i]) << i << " of " << count;
   }
 }
 

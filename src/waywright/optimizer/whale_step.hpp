@@ -7,12 +7,14 @@
 // Not as printed: |C X* − X| depends on where the origin of coordinates is, because C scales them. Here they count from the middle of the bounds.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <span>
 
 #include "waywright/core/elementary.hpp"
+#include "waywright/core/exponentials.hpp"
 #include "waywright/core/random.hpp"
 
 namespace waywright {
@@ -54,13 +56,32 @@ struct WhaleStep {
   double scale = 1.0;   ///< encircle, search: C
 };
 
-/// @param reach  [a], see whale_reach
-inline WhaleStep whale_step(const WhaleParameters& parameters, double reach, const WhaleDraws& draws) {
-  if (draws.p >= parameters.choice) {
-    return {WhaleMove::spiral, exponential(parameters.spiral * draws.l) * sin_cos(2.0 * std::numbers::pi * draws.l).cos, 1.0};
+inline bool is_whale_spiral(const WhaleParameters& parameters, const WhaleDraws& draws) { return draws.p >= parameters.choice; }
+/// e^{bl} cos 2πl
+inline double whale_spiral(const WhaleParameters& parameters, double l) {
+  return exponential(parameters.spiral * l) * sin_cos(2.0 * std::numbers::pi * l).cos;
+}
+
+/// The same of each l in its place, same bits, faster.
+inline void whale_spirals(const WhaleParameters& parameters, std::span<double> l) {
+  constexpr std::size_t wide = 64;
+  std::array<double, wide> growth;
+  for (std::size_t first = 0; first < l.size(); first += wide) {
+    const std::size_t count = l.size() - first < wide ? l.size() - first : wide;
+    for (std::size_t i = 0; i < count; ++i) growth[i] = parameters.spiral * l[first + i];
+    exponential_each({growth.data(), count});
+    for (std::size_t i = 0; i < count; ++i) l[first + i] = growth[i] * sin_cos(2.0 * std::numbers::pi * l[first + i]).cos;
   }
+}
+
+/// @param reach  [a], see whale_reach
+inline WhaleStep whale_step_but_spiral(const WhaleParameters& parameters, double reach, const WhaleDraws& draws) {
   const double a = 2.0 * reach * draws.r1 - reach;  // one for all variables: it is compared with the threshold
   return {std::abs(a) < parameters.threshold ? WhaleMove::encircle : WhaleMove::search, a, 2.0 * draws.r2};
+}
+inline WhaleStep whale_step(const WhaleParameters& parameters, double reach, const WhaleDraws& draws) {
+  if (is_whale_spiral(parameters, draws)) return {WhaleMove::spiral, whale_spiral(parameters, draws.l), 1.0};
+  return whale_step_but_spiral(parameters, reach, draws);
 }
 
 /// Where C counts coordinates from, and whether variables draw numbers of their own.

@@ -29,6 +29,18 @@ TEST(WhaleStep, TheThresholdsSettleWhichMoveItIs) {
   }
 }
 
+TEST(WhaleStep, ManySpiralsAtOnceHaveTheSameBits) {
+  Random random{4};
+  for (const std::size_t count : {0U, 1U, 50U, 64U, 65U, 300U}) {
+    const WhaleParameters parameters{.spiral = random.uniform(-3.0, 3.0)};
+    std::vector<double> values(count);
+    for (double& l : values) l = random.uniform(-1.0, 1.0);
+    const std::vector<double> drawn = values;
+    whale_spirals(parameters, values);
+    for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(values[i], whale_spiral(parameters, drawn[i]));
+  }
+}
+
 TEST(WhaleStep, MovesAreThoseOfTheFormulas) {
   // Bounds about (3, −2), so that the publication's origin is not theirs.
   const std::array low{-7.0, -12.0}, high{13.0, 8.0}, middle{3.0, -2.0};

@@ -63,33 +63,50 @@ bool PlaneSpace::is_free(Vec2 point, double margin) const {
   const double known = field_.at(point);
   if (known > margin) return true;
   if (known >= 0.0 && known + field_.slack() <= std::min(margin, table_reach_)) return false;
-  return keeps(point, point, margin);
+  return keeps(point, point, margin, known > 0.0);
 }
 
 bool PlaneSpace::is_free(Vec2 from, Vec2 to, double margin) const {
-  const Vec2 way = to - from;
-  const double length = norm(way);
+  const double length = distance(from, to);
   if (!(length > 0.0)) return is_free(from, margin);
-  const Vec2 along = (1.0 / length) * way;
-  const double slack = field_.slack(), reach = std::min(margin, table_reach_);
-  double driven = 0.0;
-  while (true) {
-    const Vec2 here = from + driven * along;
-    const double known = field_.at(here);
-    const double free = known - margin;
-    if (free > 0.0) {
-      driven += free;  // nothing is nearer than what is needed to any point of the way up to there
-      if (driven > length) return true;
-      continue;
-    }
-    if (known >= 0.0 && known + slack <= reach) return false;
-    return keeps(here, to, margin);
-  }
+  return is_free_between(from, to, length, static_cast<double>(field_.at(from)) - margin, static_cast<double>(field_.at(to)) - margin, margin);
 }
 
-bool PlaneSpace::keeps(Vec2 from, Vec2 to, double margin) const {
+/// From both ends as far as the table allows, in turn: two chains of look-ups that do not wait for each other. Where they stop, going on from there tells whether
+/// something is too near for sure; only what the table leaves open is asked of the outlines.
+bool PlaneSpace::is_free_between(Vec2 from, Vec2 to, double length, double room_from, double room_to, double margin) const {
+  if (!(length > 0.0)) return is_free(from, margin);
+  const Vec2 along = (1.0 / length) * (to - from);
+  const double least_step = field_.cell() / 16.0;  // less than that leads nowhere
+  double begin = 0.0, end = length;                // what is not known to be free yet
+  while (room_from > least_step && room_to > least_step) {
+    begin += room_from;  // nothing is nearer than what is needed to any point of the way up to there
+    end -= room_to;
+    if (begin > end) return true;
+    room_from = static_cast<double>(field_.at(from + begin * along)) - margin;
+    room_to = static_cast<double>(field_.at(from + end * along)) - margin;
+  }
+  if (room_from > least_step) begin += room_from;
+  if (room_to > least_step) end -= room_to;
+  if (begin > end) return true;
+  const double in_the_way = std::min(margin, table_reach_) - field_.slack() - margin;  // rooms up to this tell that something is too near
+  if (in_the_way >= -margin) {
+    const double step = 0.75 * field_.cell();
+    const bool is_forwards = !(room_from > least_step);
+    for (double off = 0.0; off <= end - begin;) {
+      const double room = static_cast<double>(field_.at(from + (is_forwards ? begin + off : end - off) * along)) - margin;
+      if (room <= in_the_way && room >= -margin) return false;
+      off += std::max(room, step);
+    }
+  }
+  const Vec2 first = from + begin * along;
+  return keeps(first, end < length ? from + end * along : to, margin, field_.at(first) > 0.0F);
+}
+
+bool PlaneSpace::keeps(Vec2 from, Vec2 to, double margin, bool is_outside) const {
   const std::array<Vec2, 2> ends{from, to};
-  return problem_.world().is_free(std::span{ends.data(), from == to ? 1U : 2U}, margin);
+  const std::span ring{ends.data(), from == to ? 1U : 2U};
+  return is_outside ? problem_.world().index().is_clear(ring, margin) : problem_.world().is_free(ring, margin);
 }
 
 }  // namespace waywright

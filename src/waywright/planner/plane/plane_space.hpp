@@ -31,8 +31,22 @@ class PlaneSpace {
   /// No obstacle is nearer to the point than this, m; 0 where nothing is known.
   double at_least(Vec2 point) const { return std::max(0.0, static_cast<double>(field_.at(point))); }
 
+  /// m that the table is sure of beyond what is needed: as far as that from the point all is free. Not positive where it does not tell.
+  double room(Vec2 point) const { return static_cast<double>(field_.at(point)) - needed_; }
+  /// What is_free(from, to) is, told at once where the rooms of both ends cover the line. @pre `length` is that of the line, the rooms are those of its ends
+  bool is_free(Vec2 from, Vec2 to, double length, double room_from, double room_to) const {
+    return room_from + room_to > length || is_free_between(from, to, length, room_from, room_to, needed_);
+  }
+  double table_cell() const { return field_.cell(); }  ///< m
+  /// The table is sure that no place within `off` (m) of the point is free.
+  bool is_surely_blocked(Vec2 point, double off) const {
+    const double known = field_.at(point);
+    return known >= 0.0 && known + field_.slack() + off <= std::min(needed_, table_reach_);
+  }
+
  private:
-  bool keeps(Vec2 from, Vec2 to, double margin) const;  ///< asked of the exact outlines alone
+  bool is_free_between(Vec2 from, Vec2 to, double length, double room_from, double room_to, double margin) const;
+  bool keeps(Vec2 from, Vec2 to, double margin, bool is_outside) const;  ///< asked of the exact outlines alone; `is_outside`: `from` is in nothing solid, that is known
 
   const Problem& problem_;
   double disc_;

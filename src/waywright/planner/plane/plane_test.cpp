@@ -3,7 +3,7 @@
 #include "waywright/core/random.hpp"
 #include "waywright/planner/plane/plane_ends.hpp"
 #include "waywright/planner/plane/point_bins.hpp"
-#include "waywright/planner/plane/shadow.hpp"
+#include "waywright/planner/plane/view.hpp"
 
 namespace waywright {
 namespace {
@@ -72,6 +72,9 @@ TEST(PlaneSpace, LinesAreFreeAsTheExactOutlinesHaveIt) {
       const double exact = problem.world().least_clearance(ring, 0.0, 10.0);
       if (std::abs(exact - margin) < 1e-9) continue;
       ASSERT_EQ(a == b ? space.is_free(a, margin) : space.is_free(a, b, margin), exact > margin) << a.x << " " << a.y << " " << b.x << " " << b.y;
+      if (margin == space.needed()) {
+        ASSERT_EQ(space.is_free(a, b, distance(a, b), space.room(a), space.room(b)), exact > margin) << a.x << " " << a.y << " " << b.x << " " << b.y;
+      }
       (exact > margin ? free : blocked) += 1;
     }
   }
@@ -92,28 +95,34 @@ TEST(PlaneSpace, TheFreeAreaIsNotUnderTheTruth) {
   EXPECT_LT(space.free_area(), 1.1 * area);
 }
 
-TEST(Shadow, WhatIsDarkIsNotSeenAndMostThatIsNotSeenIsDark) {
+TEST(View, SeesWhatIsFreeAndIsMostlyToldByItsTable) {
   Random random{19};
-  int dark = 0, hidden = 0;
-  for (int map = 0; map < 6; ++map) {
-    const Problem problem = hall(random, 0.0, 12);
+  int asked = 0, told = 0, hidden = 0;
+  for (int map = 0; map < 12; ++map) {
+    const double disc = map % 3 == 0 ? 0.0 : 0.1 * (map % 3);
+    const Problem problem = hall(random, disc, 12);
     const PlaneSpace space{problem};
-    const Vec2 light{random.uniform(0.5, 11.5), random.uniform(0.5, 8.5)};
-    if (!space.is_free(light)) continue;
-    const Shadow shadow{space, light};
+    const Vec2 from{random.uniform(0.5, 11.5), random.uniform(0.5, 8.5)};
+    if (!space.is_free(from)) continue;
+    View view{space, from};
     for (int i = 0; i < 20'000; ++i) {
       const Vec2 at{random.uniform(-1, 13), random.uniform(-1, 10)};
-      const std::vector<Vec2> ring{light, at};
-      const bool is_hidden = problem.world().least_clearance(ring, 0.0, 1.0) == 0.0;
-      if (shadow.is_dark(at)) {
-        ASSERT_TRUE(is_hidden) << at.x << " " << at.y;
-        ++dark;
+      const std::vector<Vec2> ring{at, from};
+      const bool is_free = problem.world().least_clearance(ring, 0.0, 2.0) > space.needed();  // the exact outlines, no table
+      ASSERT_EQ(view.sees(at), is_free) << map << ": " << at.x << " " << at.y;
+      const View::Seen seen = view.seen(at);
+      told += seen == View::Seen::not_told ? 0 : 1;
+      if (seen != View::Seen::not_told) {
+        ASSERT_EQ(seen == View::Seen::yes, is_free) << map << ": " << at.x << " " << at.y;
       }
-      hidden += is_hidden ? 1 : 0;
+      hidden += is_free ? 0 : 1;
+      ++asked;
     }
   }
+  EXPECT_GT(asked, 120'000);
   EXPECT_GT(hidden, 20'000);
-  EXPECT_GT(dark, 0.95 * hidden);
+  EXPECT_LT(hidden, asked - 20'000);
+  EXPECT_GT(told, 0.9 * asked);
 }
 
 TEST(PlaneEnds, ARunLeadsOutOfWhereTheDiscCannotStand) {

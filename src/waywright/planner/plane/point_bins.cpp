@@ -54,6 +54,8 @@ std::uint32_t PointBins::add(Vec2 point) {
 }
 
 void PointBins::look(int column, int row, Vec2 to, double& best, std::uint32_t& found) const {
+  const double across = gap(to.x - region_.low.x, column, columns_), up = gap(to.y - region_.low.y, row, rows_);
+  if (across * across + up * up > best) return;
   for (std::uint32_t p = first_[bin(column, row)]; p != none; p = pieces_[p].next) {
     const Piece& piece = pieces_[p];
     for (std::uint32_t k = 0; k < piece.count; ++k) {

@@ -33,25 +33,35 @@ class PointBins {
     std::uint32_t index;
   };
   /// Those within `radius`, in an order that depends on the points alone.
-  void within(Vec2 at, double radius, std::vector<Near>& found) const {
+  void within(Vec2 at, double radius, std::vector<Near>& found) const { found.resize(gather(at, radius, found)); }
+  /// The same in the first places of memory that grows and never shrinks: how many there are.
+  std::size_t gather(Vec2 at, double radius, std::vector<Near>& memory) const {
     const double squared = radius * radius;
     std::size_t count = 0;
-    const int c0 = column_of(at.x - radius), c1 = column_of(at.x + radius), r0 = row_of(at.y - radius), r1 = row_of(at.y + radius);
+    const int r0 = row_of(at.y - radius), r1 = row_of(at.y + radius);
     for (int row = r0; row <= r1; ++row) {
+      const double off = gap(at.y - region_.low.y, row, rows_);
+      if (off > radius) continue;
+      const double half = std::sqrt(squared - off * off) + slack();  // of the disc's chord
+      const int c0 = column_of(at.x - half), c1 = column_of(at.x + half);
       for (int column = c0; column <= c1; ++column) {
         for (std::uint32_t p = first_[bin(column, row)]; p != none; p = pieces_[p].next) {
           const Piece& piece = pieces_[p];
-          if (found.size() < count + wide) found.resize(2 * (count + wide));
-          Near* const out = found.data();
-          for (std::uint32_t k = 0; k < piece.count; ++k) {  // each is written, and stays where it is near: no branch to guess
-            const double dx = piece.x[k] - at.x, dy = piece.y[k] - at.y, d = dx * dx + dy * dy;
-            out[count] = {d, piece.index[k]};
-            count += d <= squared ? 1 : 0;
+          if (memory.size() < count + wide) memory.resize(2 * (count + wide));
+          Near* const out = memory.data();
+          std::array<double, wide> d;
+          for (std::size_t k = 0; k < wide; ++k) {
+            const double dx = piece.x[k] - at.x, dy = piece.y[k] - at.y;
+            d[k] = dx * dx + dy * dy;
+          }
+          for (std::size_t k = 0; k < wide; ++k) {  // each is written, and stays where it is near: no branch to guess
+            out[count] = {d[k], piece.index[k]};
+            count += d[k] <= squared ? 1 : 0;
           }
         }
       }
     }
-    found.resize(count);
+    return count;
   }
   /// The same, calling seen(index, squared distance) for each.
   template <class Seen>
@@ -63,9 +73,10 @@ class PointBins {
 
  private:
   static constexpr std::size_t wide = 8;
+  static constexpr double nowhere = std::numeric_limits<double>::infinity();
   struct Piece {
-    std::array<double, wide> x, y;
-    std::array<std::uint32_t, wide> index;
+    std::array<double, wide> x{nowhere, nowhere, nowhere, nowhere, nowhere, nowhere, nowhere, nowhere}, y{};
+    std::array<std::uint32_t, wide> index{};
     std::uint32_t count = 0;
     std::uint32_t next = none;
   };
@@ -74,6 +85,12 @@ class PointBins {
   int column_of(double x) const { return static_cast<int>(std::clamp((x - region_.low.x) * per_metre_, 0.0, columns_ - 1.0)); }
   int row_of(double y) const { return static_cast<int>(std::clamp((y - region_.low.y) * per_metre_, 0.0, rows_ - 1.0)); }
   std::size_t bin(int column, int row) const { return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column); }
+  double slack() const { return 1e-9 * side_; }  // for rounding, where bins are left out
+  /// How far a place is from the bins of a row (column), which the outermost ones have no end of; a little less, for rounding.
+  double gap(double from_low, int i, int count) const {
+    const double below = i > 0 ? i * side_ - from_low : 0.0, above = i + 1 < count ? from_low - (i + 1) * side_ : 0.0;
+    return std::max(0.0, std::max(below, above) - slack());
+  }
   void look(int column, int row, Vec2 to, double& best, std::uint32_t& found) const;
 
   Box region_{};

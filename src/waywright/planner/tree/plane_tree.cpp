@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "waywright/planner/plane/proven_radius.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr int tries_a_sample = 10'000;  // places drawn until one is free
 constexpr int clock_every = 32;         // samples
+constexpr double rounding_share = 1e-12;  // of a length, more than rounding can be
 
 }  // namespace
 
@@ -19,6 +21,19 @@ bool PlaneTree::is_edge_free(Vec2 a, Vec2 b) {
   if (statistics_.edges >= most_edges_) return false;  // spent: the search ends
   ++statistics_.edges;
   return space_->is_free(a, b);
+}
+
+bool PlaneTree::is_edge_free(Vec2 a, Vec2 b, double length, double room_a, double room_b) {
+  if (statistics_.edges >= most_edges_) return false;
+  ++statistics_.edges;
+  return space_->is_free(a, b, length, room_a, room_b);
+}
+
+std::uint32_t PlaneTree::add(Vec2 at, double room) {
+  nodes_.emplace_back();
+  costs_.push_back(0.0);
+  rooms_.push_back(room);
+  return bins_.add(at);
 }
 
 double PlaneTree::radius() const {
@@ -119,48 +134,88 @@ void PlaneTree::choose_best() {
   }
 }
 
-/// @pre the edge from `near` is free
-void PlaneTree::insert(Vec2 at, std::uint32_t near) {
-  const double to_near = distance(bins_[near], at);
+/// As PointBins::nearest has it. `none` where there are none.
+std::uint32_t PlaneTree::nearest_of_neighbours() const {
+  double best = std::numeric_limits<double>::infinity();
+  std::uint32_t found = none;
+  for (const PointBins::Near& n : std::span{near_.data(), near_count_}) {
+    if (n.squared > best || (n.squared == best && n.index > found)) continue;
+    best = n.squared;
+    found = n.index;
+  }
+  return found;
+}
+
+/// Neighbours by whom the way to a new node could be shorter than `by_near`: most are left out by squares, without their roots.
+void PlaneTree::look_for_parents(double by_near) {
+  if (neighbours_.size() < near_count_) neighbours_.resize(2 * near_count_);
+  Neighbour* const out = neighbours_.data();
+  const PointBins::Near* const near = near_.data();
+  const double bound = (1.0 + rounding_share) * by_near;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < near_count_; ++i) {  // each is written, and stays where it could: no branch to guess
+    const std::uint32_t node = near[i].index;
+    const double cost = costs_[node], most = bound - cost;
+    out[count] = {cost, near[i].squared, node};
+    count += (most > 0.0) & (near[i].squared <= most * most) ? 1 : 0;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    out[i].length = std::sqrt(out[i].length);
+    out[i].through += out[i].length;
+  }
+  neighbour_count_ = count;
+}
+
+/// Neighbours whose ways could be shorter by a new node of that cost, likewise.
+void PlaneTree::look_for_children(double cost) {
+  if (neighbours_.size() < near_count_) neighbours_.resize(2 * near_count_);
+  Neighbour* const out = neighbours_.data();
+  const PointBins::Near* const near = near_.data();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < near_count_; ++i) {
+    const std::uint32_t node = near[i].index;
+    const double most = (1.0 + rounding_share) * costs_[node] - cost;
+    out[count] = {0.0, near[i].squared, node};
+    count += (most > 0.0) & (near[i].squared <= most * most) ? 1 : 0;
+  }
+  for (std::size_t i = 0; i < count; ++i) out[i].length = std::sqrt(out[i].length);
+  neighbour_count_ = count;
+}
+
+/// @pre the edge from `near` is free; `is_near_known`: near_ holds those within the radius
+void PlaneTree::insert(Vec2 at, double room, std::uint32_t near, double to_near, bool is_near_known) {
   if (!options_.rewires) {
-    const std::uint32_t node = bins_.add(at);
-    nodes_.emplace_back();
-    costs_.push_back(0.0);
+    const std::uint32_t node = add(at, room);
     hang(node, near, to_near);
     look_for_goal(node);
     return;
   }
+  if (!is_near_known) near_count_ = bins_.gather(at, radius(), near_);
   const double by_near = costs_[near] + to_near;
-  bins_.within(at, radius(), near_);
-  neighbours_.clear();
-  for (const PointBins::Near& n : near_) {
-    const double length = std::sqrt(n.squared);
-    neighbours_.push_back({costs_[n.index] + length, length, n.index});
-  }
+  look_for_parents(by_near);
   // The cheapest first that is free; nothing dearer than the way by `near`, which is.
   std::uint32_t parent = near;
   double edge = to_near;
   double passed = -1.0;
   while (true) {
     const Neighbour* cheapest = nullptr;
-    for (const Neighbour& n : neighbours_) {
+    for (const Neighbour& n : std::span{neighbours_.data(), neighbour_count_}) {
       if (n.through > passed && n.through < by_near && (cheapest == nullptr || n.through < cheapest->through)) cheapest = &n;
     }
     if (cheapest == nullptr) break;
-    if (is_edge_free(bins_[cheapest->node], at)) {
+    if (is_edge_free(bins_[cheapest->node], at, cheapest->length, rooms_[cheapest->node], room)) {
       parent = cheapest->node;
       edge = cheapest->length;
       break;
     }
     passed = cheapest->through;
   }
-  const std::uint32_t node = bins_.add(at);
-  nodes_.emplace_back();
-  costs_.push_back(0.0);
+  const std::uint32_t node = add(at, room);
   hang(node, parent, edge);
   const double cost = costs_[node];
-  for (const Neighbour& n : neighbours_) {
-    if (!(cost + n.length < costs_[n.node]) || n.node == parent || !is_edge_free(at, bins_[n.node])) continue;
+  look_for_children(cost);
+  for (const Neighbour& n : std::span{neighbours_.data(), neighbour_count_}) {
+    if (!(cost + n.length < costs_[n.node]) || n.node == parent || !is_edge_free(at, bins_[n.node], n.length, room, rooms_[n.node])) continue;
     detach(n.node);
     hang(n.node, node, n.length);
     pass_on(n.node);
@@ -179,6 +234,7 @@ void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, V
   bins_.clear(space.region());
   nodes_.clear();
   costs_.clear();
+  rooms_.clear();
   goal_edges_.clear();
   best_ = none;
   best_length_ = std::numeric_limits<double>::infinity();
@@ -187,9 +243,7 @@ void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, V
   best_ways_.clear();
   statistics_ = {};
   Random random = Random::stream(seed, 0);
-  bins_.add(start);
-  nodes_.emplace_back();
-  costs_.push_back(0.0);
+  add(start, space.room(start));
   look_for_goal(0);
   choose_best();
   if (is_found()) {
@@ -202,14 +256,21 @@ void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, V
     ++statistics_.samples;
     const std::optional<Vec2> sample = sampled(random);
     if (!sample) return;  // nowhere to go
-    const std::uint32_t near = bins_.nearest(*sample);
+    // Where the tree goes to the sample itself, its neighbours hold the nearest one, too.
+    const bool looks_once = options.rewires && steering == nullptr;
+    if (looks_once) near_count_ = bins_.gather(*sample, radius(), near_);
+    std::uint32_t near = looks_once ? nearest_of_neighbours() : none;
+    if (near == none) near = bins_.nearest(*sample);
     const Vec2 from = bins_[near];
     const Vec2 aim = steering != nullptr ? steering->aim(from, *sample, goal_.nearest(from), random) : *sample;
     const double way = distance(from, aim);
     if (!(way > 0.0)) continue;
-    const Vec2 to = way > options_.step ? from + (options_.step / way) * (aim - from) : aim;
-    if (to == from || !is_edge_free(from, to)) continue;
-    insert(to, near);
+    const bool is_far = way > options_.step;
+    const Vec2 to = is_far ? from + (options_.step / way) * (aim - from) : aim;
+    if (to == from) continue;
+    const double room = space.room(to), length = distance(from, to);
+    if (!is_edge_free(from, to, length, rooms_[near], room)) continue;
+    insert(to, room, near, length, looks_once && !is_far);
     choose_best();
     if (is_found() && !statistics_.first_length) {
       statistics_.first_length = best_length_;

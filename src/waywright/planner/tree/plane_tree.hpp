@@ -85,17 +85,22 @@ class PlaneTree {
     std::uint32_t node, parent, sample;
   };
   struct Neighbour {
-    double through;  // m, cost of the new node by this one
-    double length;
-    std::uint32_t node;
+    double through = 0.0;  // m, cost of the new node by this one
+    double length = 0.0;
+    std::uint32_t node = none;
   };
   bool is_edge_free(Vec2 a, Vec2 b);
+  bool is_edge_free(Vec2 a, Vec2 b, double length, double room_a, double room_b);
+  std::uint32_t add(Vec2 at, double room);
   std::optional<Vec2> sampled(Random& random);
   double radius() const;
   void attach(std::uint32_t node, std::uint32_t parent, double edge);
   void detach(std::uint32_t node);
   void pass_on(std::uint32_t node);
-  void insert(Vec2 at, std::uint32_t near);
+  std::uint32_t nearest_of_neighbours() const;
+  void look_for_parents(double by_near);
+  void look_for_children(double cost);
+  void insert(Vec2 at, double room, std::uint32_t near, double to_near, bool is_near_known);
   void look_for_goal(std::uint32_t node);
   void choose_best();
   void hang(std::uint32_t node, std::uint32_t parent, double edge);
@@ -107,9 +112,11 @@ class PlaneTree {
   PointBins bins_;
   std::vector<Node> nodes_;
   std::vector<double> costs_;  // m from the start
+  std::vector<double> rooms_;  // m, see PlaneSpace::room
   std::vector<GoalEdge> goal_edges_;
-  std::vector<PointBins::Near> near_;
-  std::vector<Neighbour> neighbours_;
+  std::vector<PointBins::Near> near_;   // the first near_count_ are within the radius of what is to be added
+  std::vector<Neighbour> neighbours_;   // the first neighbour_count_ could be its parents, then its children
+  std::size_t near_count_ = 0, neighbour_count_ = 0;
   std::vector<std::uint32_t> waiting_;
   std::vector<Hung> hung_;                   // in order
   std::vector<SearchPicture::Way> best_ways_;

@@ -1,10 +1,12 @@
 // Steering of the RRT*-WOA publication's local variant: the whale optimisation algorithm looks around a sample for where the tree sees the goal.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "waywright/optimizer/whale_step.hpp"
-#include "waywright/planner/plane/shadow.hpp"
+#include "waywright/planner/plane/view.hpp"
 #include "waywright/planner/tree/plane_tree.hpp"
 
 namespace waywright {
@@ -26,7 +28,7 @@ class WhaleSteering final : public TreeSteering {
   Vec2 aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) override;
 
   std::int64_t evaluations() const { return evaluations_; }
-  std::int64_t lines() const { return lines_; }  ///< whose freedom was asked for
+  std::int64_t lines() const { return lines_; }  ///< that were looked along: not those that the view of the goal tells
 
   /// The cost of a place, whole.
   double cost(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal) const;
@@ -36,16 +38,38 @@ class WhaleSteering final : public TreeSteering {
     Vec2 at{};
     double cost = 0.0;
   };
-  void look(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal, Best& best);
-  Vec2 into_disc(Vec2 x, Vec2 middle) const;
+  struct Candidate {
+    double least = 0.0;  // of its cost
+    std::size_t agent = 0;
+    View::Seen goal = View::Seen::not_told;
+  };
+  struct Aim {
+    Vec2 near, sample, goal;
+    double room;  // m, of near
+  };
+  void prepare_view(Vec2 goal);
+  void draw_moves(Random& random);
+  void look(const Aim& aim, Best& best);
+  double whole_cost(const Aim& aim, const Candidate& candidate, double enough);
+  void move(std::size_t iteration, Vec2 leader, Vec2 sample);
+  Vec2 agent(std::size_t i) const { return {x_[i], y_[i]}; }
+
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   const PlaneSpace& space_;
   WhaleSteeringOptions options_;
   double per_radius_, per_diagonal_;
-  Shadow shadow_;  // of the goal, where it stays the same from one extension to the next
+  View view_;  // of the goal, where it stays the same from one extension to the next
   Vec2 last_goal_{};
-  bool has_goal_ = false;
-  std::vector<Vec2> agents_;
+  bool has_goal_ = false, has_view_ = false;
+  std::vector<double> x_, y_, bases_;  // of the agents: places, costs of distances
+  std::vector<Candidate> candidates_;
+  std::vector<double> new_x_, new_y_;  // while they move
+  // Moves of all iterations, ahead, as they do not depend on what is found: A negated, or the spiral's factor; C; the agent that a search goes to.
+  std::vector<double> factors_, scales_;
+  std::vector<std::uint32_t> others_;
+  std::vector<double> spirals_;  // of the spirals among them: l, then the factor; which moves they are
+  std::vector<std::uint32_t> spiral_moves_;
   std::int64_t evaluations_ = 0, lines_ = 0;
 };
 

@@ -1,0 +1,76 @@
+#include "waywright/planner/plane/view.hpp"
+
+#include <algorithm>
+
+namespace waywright {
+namespace {
+
+constexpr double wider = 1.0 + 1e-9;  // for rounding
+
+/// Where a ray meets the line through a and b; not a number or not positive where it does not.
+double distance_along(Vec2 ray, Vec2 a, Vec2 b) {
+  const Vec2 edge = b - a;
+  return cross(a, edge) / cross(ray, edge);
+}
+
+}  // namespace
+
+Vec2 View::direction(double around) {
+  const double a = around < 4.0 ? around : around - 4.0;
+  const Vec2 v = a < 1.0 ? Vec2{1.0 - a, a} : a < 2.0 ? Vec2{1.0 - a, 2.0 - a} : a < 3.0 ? Vec2{a - 3.0, 2.0 - a} : Vec2{a - 3.0, a - 4.0};
+  return (1.0 / norm(v)) * v;
+}
+
+View::View(const PlaneSpace& space, Vec2 from) : space_{&space}, from_{from}, bins_(count) {
+  const Box& region = space.region();
+  farthest_ = norm(Vec2{std::max(region.high.x - from.x, from.x - region.low.x), std::max(region.high.y - from.y, from.y - region.low.y)});
+  hide_behind_edges();
+}
+
+/// An edge that spans a whole bin hides everything in it that is farther than the edge. One pass over the map's edges.
+void View::hide_behind_edges() {
+  constexpr int bins = static_cast<int>(count);
+  std::vector<Vec2> borders;
+  for (int i = 0; i <= bins; ++i) borders.push_back(direction(4.0 * i / bins));
+  for (const Segment& s : space_->problem().world().index().segments()) {
+    Vec2 a = s.a - from_, b = s.b - from_;
+    if (cross(a, b) < 0.0) std::swap(a, b);  // counter-clockwise, by less than half a turn
+    if (!(cross(a, b) > 0.0)) continue;
+    const auto first = static_cast<int>(std::ceil(around(a) * (bins / 4))), last = static_cast<int>(std::floor(around(b) * (bins / 4)));
+    const int spanned = last >= first ? last - first : last + bins - first;
+    if (spanned > bins / 2) continue;  // no whole bin, told as nearly all
+    for (int k = 0; k < spanned; ++k) {
+      const auto i = static_cast<std::size_t>((first + k) % bins);
+      const double near = distance_along(borders[i], a, b), far = distance_along(borders[i + 1], a, b);
+      const double least = std::max(near, far) * wider;
+      if (near > 0.0 && far > 0.0 && std::isfinite(least)) bins_[i].hidden = std::min(bins_[i].hidden, least * least);
+    }
+  }
+}
+
+/// Rays of the bin are off its middle by no more than `spread` times their length.
+void View::fill(Bin& bin, std::size_t i) const {
+  const double each = 4.0 / static_cast<double>(count), at = static_cast<double>(i) * each;
+  const Vec2 middle = direction(at + 0.5 * each);
+  const double spread = wider * std::max(distance(direction(at), middle), distance(direction(at + each), middle)) + 1e-12;
+  const double little = 0.25 * space_->table_cell();
+  double t = 0.0;
+  // All rays are free as far as the middle has room for the spread, too.
+  while (t < farthest_) {
+    const double room = space_->room(from_ + t * middle) - t * spread;
+    if (!(room > little)) break;
+    t += room / (1.0 + spread);
+  }
+  bin.seen = t * t / wider;
+  // The first place that is too near to something whatever the ray: what is behind it is hidden.
+  while (t < farthest_ && t * t < bin.hidden) {
+    const Vec2 here = from_ + t * middle;
+    if (space_->is_surely_blocked(here, t * spread)) {
+      bin.hidden = t * t * wider;
+      return;
+    }
+    t += std::max(space_->room(here), 2.0 * little);
+  }
+}
+
+}  // namespace waywright

@@ -1,0 +1,64 @@
+// What is seen from a place, mostly told by a table of directions, without looking along the line.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "waywright/planner/plane/plane_space.hpp"
+
+namespace waywright {
+
+/// Directions from the place are cut into bins. Up to some distance all of a bin is seen, from some distance on nothing of it: behind an edge that spans it, or behind
+/// where its middle comes too near to something whatever the ray. The space's table tells, once the bin is asked for. What lies between is asked of the space. One object, one thread; the space outlives it.
+///
+/// Law: sees(point) is space.is_free(point, from()), up to rounding where the line just touches.
+class View {
+ public:
+  View() = default;
+  View(const PlaneSpace& space, Vec2 from);
+
+  bool is_ready() const { return space_ != nullptr; }
+  Vec2 from() const { return from_; }
+
+  enum class Seen { no, yes, not_told };
+  /// What the table tells. @pre is_ready()
+  Seen seen(Vec2 point) {
+    const Vec2 to = point - from_;
+    const double squared = squared_norm(to);
+    Bin& bin = bins_[index(to)];
+    if (bin.seen < 0.0) fill(bin, index(to));
+    return squared < bin.seen ? Seen::yes : squared > bin.hidden ? Seen::no : Seen::not_told;
+  }
+  bool sees(Vec2 point) {
+    const Seen told = seen(point);
+    return told == Seen::not_told ? space_->is_free(point, from_) : told == Seen::yes;
+  }
+
+ private:
+  static constexpr std::size_t count = 2048;
+  struct Bin {
+    double seen = -1.0;  // m², squared distance up to which all is seen; negative: not looked at yet
+    double hidden = std::numeric_limits<double>::infinity();  // m², squared distance from which on nothing is
+  };
+  /// A number in [0, 4) that grows with the angle as the point goes around a square: no trigonometry.
+  static double around(Vec2 v) {
+    const double sum = std::abs(v.x) + std::abs(v.y);
+    if (!(sum > 0.0)) return 0.0;
+    const double share = v.y / sum;
+    const double value = v.x < 0.0 ? 2.0 - share : share < 0.0 ? 4.0 + share : share;
+    return value < 4.0 ? value : 0.0;
+  }
+  static std::size_t index(Vec2 v) { return static_cast<std::size_t>(around(v) * (static_cast<double>(count) / 4.0)); }
+  static Vec2 direction(double around);
+  void hide_behind_edges();
+  void fill(Bin& bin, std::size_t i) const;
+
+  const PlaneSpace* space_ = nullptr;
+  Vec2 from_{};
+  double farthest_ = 0.0;  // m, of the region
+  std::vector<Bin> bins_;
+};
+
+}  // namespace waywright
