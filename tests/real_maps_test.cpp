@@ -24,6 +24,12 @@ constexpr double seconds = 20.0;            // of a plan
 constexpr double unasked = 40.0;            // s: preparation and proof, which the budget does not limit, on a busy machine
 constexpr std::uint64_t seed = 1;
 
+/// Work where the default is for smaller maps; seconds end what takes too long with it.
+const std::map<std::string, Parameters> work{
+    {"ompl_rrt_star", {{"checks", 60'000.0}}}, {"ompl_informed_rrt_star", {{"checks", 60'000.0}}}, {"ompl_bit_star", {{"checks", 20'000.0}}}, {"ompl_ait_star", {{"checks", 6'000.0}}},
+    {"rrt", {{"iterations", 30'000.0}}},       {"rrt_star", {{"iterations", 30'000.0}}},           {"rrt_star_woa_local", {{"iterations", 30'000.0}}}, {"rrt_star_woa_global", {{"iterations", 30'000.0}}},
+    {"prm", {{"samples", 4'000.0}}}};
+
 /// They search all of a graph that covers the free space, so that they find a way wherever one with some room is there.
 const std::set<std::string> complete_ones{"astar", "dijkstra", "theta_star", "danger_astar", "visibility_graph", "voronoi"};
 /// Their sentences when a map is larger than they take.
@@ -77,7 +83,7 @@ void run_planners(const RealMap& map, const std::filesystem::path& data, std::si
       for (const PlannerDescription& planner : planners()) {
         if (planner.turns_on_the_spot && !vehicle.can_turn_on_the_spot()) continue;
         if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), planner.name) == wanted.end()) continue;
-        scenario.planner = {planner.name, {}};
+        scenario.planner = {planner.name, work.contains(planner.name) ? work.at(planner.name) : Parameters{}};
         const std::string what = map.name + ", " + planner.name + ", " + vehicle.name + " from " + std::to_string(ends.start.x) + ", " + std::to_string(ends.start.y);
         const auto begin = std::chrono::steady_clock::now();
         const auto plan = solve(Problem::prepare(scenario, &unbuilt).value());
@@ -115,7 +121,7 @@ void print_tables() {
     if (table().contains(map.name)) maps.push_back(map.name);
   }
   if (maps.size() < 2) return;
-  constexpr std::size_t columns = 8;
+  constexpr std::size_t columns = 6;
   for (std::size_t first = 0; first < maps.size(); first += columns) {
     const std::size_t end = std::min(maps.size(), first + columns);
     std::printf("\n| planner |");
@@ -147,7 +153,7 @@ TEST_P(RealMapsFull, EveryPlannerIsProvenOrSaysWhyNot) {
   const RealMap& map = GetParam();
   const auto data = test::outside_data();
   if (!map.file.empty() && (!data || !std::filesystem::exists(*data / map.file))) GTEST_SKIP() << "no outside data: " << map.file << " (WAYWRIGHT_TEST_DATA)";
-  run_planners(map, data.value_or("."), 3, {});
+  run_planners(map, data.value_or("."), 2, {});
 }
 
 INSTANTIATE_TEST_SUITE_P(Maps, RealMapsFull, testing::ValuesIn(test::real_maps()), [](const auto& map) { return map.param.name; });
