@@ -6,6 +6,7 @@
 #include <new>
 
 #include "commands.hpp"
+#include "map_scenario.hpp"
 #include "waywright/core/version.hpp"
 
 namespace {
@@ -109,8 +110,9 @@ int run(int argc, char** argv) {
   list_command->callback([&] { status = list(what); });
 
   MapArguments map_arguments;
+  LaneArguments lane_arguments;
   auto* map_command = app.add_subcommand("map", "what a map file holds; with -o it is written as map.json");
-  map_command->add_option("FILE", map_arguments.file, "ROS yaml, map.json, PNG or PGM picture, DXF or SVG drawing, MovingAI map")->required();
+  map_command->add_option("FILE", map_arguments.file, "ROS yaml, map.json, PNG or PGM picture, DXF or SVG drawing, MovingAI map, Open-RMF building, openTCS plant model")->required();
   map_command->add_option("-o,--out", map_arguments.out, "map.json to write");
   map_command->add_option("--align", map_arguments.align,
                           "X,Y=X,Y: a point on the map and where it lies in the world; two or more place the map, and their residuals are told");
@@ -130,9 +132,22 @@ int run(int argc, char** argv) {
   map_command->add_option("--overlay", map_arguments.overlay, "a map (ROS yaml, map.json, DXF) drawn in the same picture, as it lies in the world");
   map_command->add_option("--overlay-unit", map_arguments.overlay_unit, "of a DXF that --overlay names: mm, cm, m, in, ft (default: as the drawing says)");
   map_command->add_option("--picture", map_arguments.picture, "FILE.svg to write: the map, and what --overlay names");
+  map_command->add_option("--corridor", lane_arguments.corridor, "METRES, of an openTCS plant model: strips so wide along its lanes are all that is free (default: all is, up to 5 m around it)");
+  map_command->add_option("--scenario", lane_arguments.scenario, "scenario.json to write: from the place --from to the place --to of the map's lanes, with one-way lanes and speeds as zones");
+  const std::vector<CLI::Option*> of_scenarios{
+      map_command->add_option("--from", lane_arguments.from, "with --scenario: name of a place, or of a station"),
+      map_command->add_option("--to", lane_arguments.to, "with --scenario: the same"),
+      map_command->add_option("--vehicle", lane_arguments.vehicle, "with --scenario: vehicle.json (default: the model's first, as a box that turns on the spot)"),
+      map_command->add_option("--lane-width", lane_arguments.lane_width, "with --scenario: METRES, of the lanes' zones (default: --corridor, or 1)"),
+      map_command->add_option("--prefer", lane_arguments.prefer, "with --scenario: FACTOR under 1, what a metre on a lane costs (default: lanes are not preferred)")};
   map_command->callback([&] {
+    const bool about_scenario = std::any_of(of_scenarios.begin(), of_scenarios.end(), [](const CLI::Option* option) { return option->count() > 0; });
+    if (about_scenario && !lane_arguments.scenario) {
+      status = complain({"", "command line", "--from, --to, --vehicle, --lane-width and --prefer go with --scenario alone", "--scenario FILE.json beside them"});
+      return;
+    }
     map_arguments.about_drawing = std::any_of(of_drawings.begin(), of_drawings.end(), [](const CLI::Option* option) { return option->count() > 0; });
-    status = map(map_arguments);
+    status = map(map_arguments, lane_arguments);
   });
 
   GenerateArguments generate_arguments;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "map_scenario.hpp"
 #include "numbers.hpp"
 #include "outputs.hpp"
 #include "waywright/io/files.hpp"
+#include "waywright/io/lane_map_io.hpp"
 #include "waywright/io/map_io.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/map/world.hpp"
@@ -14,7 +16,27 @@
 namespace waywright::app {
 namespace {
 
-std::string describe(const std::filesystem::path& file, const Map& map) {
+/// Every place that missions can begin and end at, and the stations beside them.
+std::string describe_places(const LaneGraph& graph) {
+  constexpr std::size_t most = 2000;
+  if (graph.empty()) return "";
+  std::string text = "  places:";
+  for (std::size_t i = 0; i < std::min(graph.places.size(), most); ++i) {
+    const LanePlace& place = graph.places[i];
+    text += fmt::format("{}{} ({:.3f}, {:.3f}{})", i == 0 ? " " : ", ", place.name, place.at.x, place.at.y, place.heading ? fmt::format(", {:.4f} rad", *place.heading) : "");
+  }
+  if (graph.places.size() > most) text += fmt::format(" and {} more", graph.places.size() - most);
+  text += "\n";
+  for (std::size_t i = 0; i < std::min(graph.stations.size(), most); ++i) {
+    const LaneStation& station = graph.stations[i];
+    text += fmt::format("{}{} ({:.3f}, {:.3f}", i == 0 ? "  stations: " : ", ", station.name, station.at.x, station.at.y);
+    for (std::size_t k = 0; k < station.places.size(); ++k) text += (k == 0 ? "; at " : " or ") + graph.places[station.places[k]].name;
+    text += ")";
+  }
+  return text + (graph.stations.empty() ? "" : "\n");
+}
+
+std::string describe(const std::filesystem::path& file, const Map& map, const LaneGraph& lanes) {
   World world{map};
   world.build();
   const auto is_free = [](const CellGrid& grid) { return std::find(grid.blocked.begin(), grid.blocked.end(), 0) != grid.blocked.end(); };
@@ -46,6 +68,7 @@ std::string describe(const std::filesystem::path& file, const Map& map) {
   const auto counted = [](std::size_t n, const char* one, const char* more) { return fmt::format("{} {}", n, n == 1 ? one : more); };
   text += fmt::format("  {}, {} ({:.2f} m²), {}, {}\n", counted(map.boundaries.size(), "boundary", "boundaries"), counted(map.obstacles.size(), "obstacle polygon", "obstacle polygons"),
                       area, counted(map.lines.size(), "line", "lines"), counted(map.points.size(), "point", "points"));
+  text += describe_places(lanes);
   if (map.alignment) {
     const Pose& t = map.alignment->transform;
     text += fmt::format("  placed at ({:.4f}, {:.4f}, {:.5f} rad)", t.x, t.y, t.heading);
@@ -89,9 +112,9 @@ bool is_named(const std::filesystem::path& file, std::string_view ending) {
   return std::equal(extension.begin(), extension.end(), ending.begin(), ending.end(), [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
 }
 
-std::string picture_of(const MapArguments& arguments, const Map& map, const std::optional<Map>& below, const std::vector<std::pair<Vec2, Vec2>>& pairs) {
+std::string picture_of(const MapArguments& arguments, const Map& map, const std::optional<Map>& below, const std::vector<std::pair<Vec2, Vec2>>& pairs, const LaneGraph& lanes) {
   constexpr double width = 1000.0;  // px
-  MapPicture picture{&map, arguments.file.filename().string(), below ? &*below : nullptr, arguments.overlay.value_or("").filename().string(), {}};
+  MapPicture picture{&map, arguments.file.filename().string(), below ? &*below : nullptr, arguments.overlay.value_or("").filename().string(), {}, lanes.empty() ? nullptr : &lanes};
   std::vector<Vec2> from, to;
   for (const auto& [on_map, in_world] : pairs) {
     from.push_back(on_map);
@@ -122,15 +145,18 @@ std::optional<std::string> alignment_doubt(const Map& map, const std::vector<std
 
 }  // namespace
 
-int map(const MapArguments& arguments) {
+int map(const MapArguments& arguments) { return map(arguments, {}); }
+
+int map(const MapArguments& arguments, const LaneArguments& about_lanes) {
   if (arguments.overlay && !arguments.picture) return complain({"", "--overlay", "there is no picture to draw the two maps in", "--picture FILE.svg beside it"});
   if (arguments.picture && !is_named(*arguments.picture, ".svg")) return complain({arguments.picture->string(), "--picture", "a picture is written as SVG, which this name is not for", "a name that ends in .svg"});
-  for (const auto& [written, option] : {std::pair{arguments.out, "-o"}, std::pair{arguments.picture, "--picture"}}) {
+  for (const auto& [written, option] : {std::pair{arguments.out, "-o"}, std::pair{arguments.picture, "--picture"}, std::pair{about_lanes.scenario, "--scenario"}}) {
     for (const auto& [read, what] : {std::pair{std::optional{arguments.file}, "FILE"}, std::pair{arguments.overlay, "--overlay"}}) {
       std::error_code error;
       if (written && read && std::filesystem::equivalent(*written, *read, error)) return complain({written->string(), option, fmt::format("it is the file that {} names, which would be lost", what), "another name"});
     }
   }
+  if (about_lanes.scenario && (about_lanes.scenario == arguments.out || about_lanes.scenario == arguments.picture)) return complain({"", "--scenario", "it names the same file as -o or --picture", "another file"});
   if (arguments.out && arguments.picture && *arguments.out == *arguments.picture) return complain({"", "--picture", "it names the same file as -o", "two files"});
   std::vector<std::pair<Vec2, Vec2>> pairs;
   for (const std::string& text : arguments.align) {
@@ -146,8 +172,10 @@ int map(const MapArguments& arguments) {
   }
   dxf::Options drawing = arguments.drawing;
   drawing.obstacle_layers = names_from(arguments.obstacle_layers);
-  auto map = read_map(arguments.file, pairs, drawing, nullptr, arguments.cells);
-  if (!map) return complain(map.error());
+  std::string record;
+  auto whole = read_lane_map(arguments.file, pairs, about_lanes.corridor, &record, drawing, arguments.cells);
+  if (!whole) return complain(whole.error());
+  Map* const map = &whole->map;
   if (const auto doubt = alignment_doubt(*map, pairs)) note_all({}, {*doubt});
   std::optional<Map> below;
   if (arguments.overlay) {
@@ -165,8 +193,15 @@ int map(const MapArguments& arguments) {
   }
   std::vector<NamedContent> files;
   if (arguments.out) files.push_back({*arguments.out, map_json(*map)});
-  if (arguments.picture) files.push_back({*arguments.picture, picture_of(arguments, *map, below, pairs)});
-  std::string said = describe(arguments.file, *map);
+  if (arguments.picture) files.push_back({*arguments.picture, picture_of(arguments, *map, below, pairs, whole->lanes)});
+  if (about_lanes.scenario) {
+    std::vector<std::string> doubts;
+    const auto scenario = scenario_along_lanes(arguments.file, about_lanes, whole->lanes, *map, record, doubts);
+    if (!scenario) return complain(scenario.error());
+    note_all({}, doubts);
+    files.push_back({*about_lanes.scenario, scenario_json(*scenario)});
+  }
+  std::string said = describe(arguments.file, *map, whole->lanes);
   for (const NamedContent& file : files) {
     if (auto ready = prepare_folder_of(file.path); !ready) return complain(ready.error());
     said += "written: " + file.path.string() + "\n";

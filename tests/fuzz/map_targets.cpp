@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -9,10 +10,13 @@
 #include "tests/fuzz/target.hpp"
 #include "waywright/io/image.hpp"
 #include "waywright/io/map_io.hpp"
+#include "waywright/io/opentcs_map.hpp"
 #include "waywright/io/rmf_map.hpp"
 #include "waywright/io/svg_map.hpp"
 #include "waywright/io/test_files.hpp"
+#include "waywright/map/lane_graph.hpp"
 #include "waywright/map/trace.hpp"
+#include "waywright/scenario/lane_zones.hpp"
 
 namespace waywright::fuzz {
 namespace {
@@ -125,6 +129,50 @@ std::vector<std::string> rmf_seeds() {
   const std::string level = "vertices: [[100, 200, 0, \"\"], [300, 200, 0, a], [300, 400.5, 0, b]], walls: [[0, 1, {alpha: [3, 1]}], [1, 2, {}]]";
   return {"name: hall\nlevels:\n  L1: {" + level + ", measurements: [[0, 1, {distance: [3, 10]}], [1, 2, {distance: [3, 1e1]}]], doors: [[0, 1]]}\n",
           "coordinate_system: cartesian_meters\nlevels:\n  L1:\n    {" + level + "}\n  L2: {}\n", "{coordinate_system: reference_image, levels: {L1: {" + level + ", measurements: [[0, 2, {distance: [3, 4]}]]}}}"};
+}
+
+Outcome run_opentcs(const std::string& bytes) {
+  const auto map = decode_opentcs_map(bytes, "plant.xml");
+  if (!map) {
+    require_sentence(map.error());
+    return Outcome::refused;
+  }
+  const LaneGraph& graph = map->lanes;
+  require(!graph.places.empty(), "a plant has places");
+  for (const LanePlace& place : graph.places) require(is_finite(place.at) && std::isfinite(place.heading.value_or(0.0)), "places are somewhere");
+  for (const Lane& lane : graph.lanes) {
+    require(lane.from < graph.places.size() && lane.to < graph.places.size() && lane.from != lane.to, "lanes lead from place to place");
+    require(lane.course.size() > 1 && lane.course.front() == graph.places[lane.from].at && lane.course.back() == graph.places[lane.to].at, "courses do, too");
+    require(std::all_of(lane.course.begin(), lane.course.end(), [](Vec2 p) { return is_finite(p); }), "by finite points");
+    require(lane.speed.value_or(0.0) > 0.0, "lanes are driven");
+  }
+  for (const LaneStation& station : graph.stations) {
+    require(std::all_of(station.places.begin(), station.places.end(), [&](std::size_t i) { return i < graph.places.size(); }), "stations are served from places");
+  }
+  for (const std::string& note : map->notes) require(std::none_of(note.begin(), note.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }), "a note is one line of text");
+  const Box box = bounding_box(graph);
+  const double cell = std::max(0.05, 0.005 * norm(box.high - box.low));
+  if (const auto grid = lane_corridors(graph, std::max(1.0, 4.0 * cell), cell); grid) {
+    require(grid->blocked.size() == static_cast<std::size_t>(grid->columns) * static_cast<std::size_t>(grid->rows), "every cell is there");
+  }
+  if (const auto zones = lane_zones(graph, {.width = 1.0, .preference = 0.5, .vehicle_speed = 1.0}); zones) {
+    for (const Zone& zone : zones->zones) require(zone.area.size() > 2 && std::all_of(zone.area.begin(), zone.area.end(), [](Vec2 p) { return is_finite(p); }), "zones have corners");
+  }
+  for (std::size_t i = 0; i < std::min<std::size_t>(graph.places.size(), 4); ++i) {
+    if (const auto route = shortest_route(graph, 0, i)) require(route->places.front() == 0 && route->places.back() == i, "a route leads where it should");
+  }
+  return Outcome::accepted;
+}
+
+std::vector<std::string> opentcs_seeds() {
+  return {"<model version='7.0.0' name='m'><point name='A' positionX='0' positionY='-100' vehicleOrientationAngle='NaN'/><point name='B' positionX='9000' positionY='0' vehicleOrientationAngle='-90.5'/>"
+          "<point name='C' positionX='9000' positionY='5e3'/><path name='AB' sourcePoint='A' destinationPoint='B' length='1' maxVelocity='1000' maxReverseVelocity='0' locked='false'><pathLayout connectionType='DIRECT'/></path>"
+          "<path name='BC' sourcePoint='B' destinationPoint='C' maxVelocity='900' maxReverseVelocity='500'><pathLayout connectionType='BEZIER'><controlPoint x='300' y='0'/><controlPoint x='300' y='-100'/></pathLayout></path>"
+          "<path name='CA' sourcePoint='C' destinationPoint='A' maxVelocity='0' maxReverseVelocity='500'><pathLayout connectionType='POLYPATH'><controlPoint x='100' y='-90'/></pathLayout></path>"
+          "<path name='BA' sourcePoint='B' destinationPoint='A' maxVelocity='500' locked='true'/><vehicle name='V' maxVelocity='1000'><boundingBox length='1600' width='800' referenceOffsetX='300'/></vehicle>"
+          "<location name='L' positionX='1' positionY='2'><link point='C'/></location><visualLayout scaleX='50.0' scaleY='50.0'/></model>",
+          "<?xml version='1.0' encoding='UTF-8'?><model><point name='A' xPosition='0' yPosition='0'/><point name='B' xPosition='1000' yPosition='1000'/>"
+          "<path name='p' sourcePoint='A' destinationPoint='B' maxVelocity='1'><pathLayout connectionType='ELBOW'/></path></model>"};
 }
 
 /// The first byte is the number of columns, the second says how, each bit of the rest is a cell.

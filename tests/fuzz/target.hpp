@@ -38,6 +38,7 @@ Outcome run_ros_map(const std::string& bytes);     ///< a ROS map's yaml, a zero
 Outcome run_movingai(const std::string& bytes);    ///< MovingAI's maps: decoded, written, decoded back
 Outcome run_svg(const std::string& bytes);         ///< an SVG drawing of polygons: decoded
 Outcome run_rmf(const std::string& bytes);         ///< an Open-RMF building: decoded
+Outcome run_opentcs(const std::string& bytes);     ///< an openTCS plant model: decoded, its corridors and zones made
 Outcome run_trace(const std::string& bytes);       ///< cells made of the bytes: as polygons that hold them all
 Outcome run_dxf(const std::string& bytes);         ///< a DXF drawing: read, its blocks and curves expanded, made a map
 Outcome run_station(const std::string& bytes);     ///< a docking station made of the bytes: planned, proven, confirmed by brute force
@@ -52,6 +53,7 @@ std::vector<std::string> ros_map_seeds();
 std::vector<std::string> movingai_seeds();
 std::vector<std::string> svg_seeds();
 std::vector<std::string> rmf_seeds();
+std::vector<std::string> opentcs_seeds();
 std::vector<std::string> trace_seeds();
 std::vector<std::string> dxf_seeds();
 std::vector<std::string> station_seeds();
@@ -60,7 +62,7 @@ inline const std::vector<Target>& targets() {
   static const std::vector<Target> all{{"scenario", run_scenario, scenario_seeds, true}, {"plan", run_plan, plan_seeds, true},
                                        {"poses", run_poses, poses_seeds},                {"image", run_image, image_seeds},
                                        {"site", run_site, site_seeds},                  {"whale_config", run_whale_config, whale_config_seeds, true},
-                                       {"ros_map", run_ros_map, ros_map_seeds},          {"movingai", run_movingai, movingai_seeds},          {"svg", run_svg, svg_seeds}, {"rmf", run_rmf, rmf_seeds}, {"trace", run_trace, trace_seeds},
+                                       {"ros_map", run_ros_map, ros_map_seeds},          {"movingai", run_movingai, movingai_seeds},          {"svg", run_svg, svg_seeds}, {"rmf", run_rmf, rmf_seeds}, {"opentcs", run_opentcs, opentcs_seeds}, {"trace", run_trace, trace_seeds},
                                                 {"dxf", run_dxf, dxf_seeds},                      {"station", run_station, station_seeds}};
   return all;
 }

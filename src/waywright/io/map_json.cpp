@@ -1,6 +1,7 @@
 #include "waywright/io/map_json.hpp"
 
 #include "waywright/io/files.hpp"
+#include "waywright/io/lane_map_io.hpp"
 #include "waywright/io/map_parts.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/io/scenario_json.hpp"
@@ -28,7 +29,9 @@ std::string map_json(const Map& map) { return pretty(map_to_json(map)); }
 
 bool is_dxf(const fs::path& file) { return has_extension(file, ".dxf"); }
 
-Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, const dxf::Options& drawing, std::string* record, const CellMapOptions& cells) {
+namespace {
+
+Parsed<Map> read_any(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, const dxf::Options& drawing, std::string* record, const CellMapOptions& cells, std::optional<double> corridor, LaneGraph* lanes) {
   const auto refuse = [&](const char* problem, const char* allowed) {
     return tl::unexpected{InputError{file.string(), "", problem, allowed}};
   };
@@ -42,7 +45,9 @@ Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec
   const bool is_drawing = is_dxf(file);
   const bool is_movingai = extension == ".map";
   const bool is_svg = has_extension(file, ".svg");
-  Json named{{yaml ? "ros" : is_picture ? "image" : is_svg ? "svg" : is_building ? "rmf" : is_drawing ? "dxf" : is_movingai ? "movingai" : "polygons", file.filename().string()}};
+  const bool is_plant = has_extension(file, ".xml");
+  if (!is_plant && corridor) return refuse("it is no plant model, and lanes are not all that is free", "no corridor");
+  Json named{{yaml ? "ros" : is_picture ? "image" : is_svg ? "svg" : is_plant ? "opentcs" : is_building ? "rmf" : is_drawing ? "dxf" : is_movingai ? "movingai" : "polygons", file.filename().string()}};
   if (is_movingai) named["cell"] = 1.0;  // the format has no scale
   if (is_picture) named["resolution"] = *cells.resolution;
   if (is_drawing) {
@@ -52,19 +57,33 @@ Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec
     named["tolerance"] = drawing.tolerance;
     named["closing"] = drawing.closing;
   }
-  for (const auto& [field, value] : {std::pair{"trace", cells.trace}, std::pair{"trace_relative", cells.trace_relative}, std::pair{"dilate", cells.dilate}}) {
+  for (const auto& [field, value] : {std::pair{"corridor", corridor}, std::pair{"trace", cells.trace}, std::pair{"trace_relative", cells.trace_relative}, std::pair{"dilate", cells.dilate}}) {
     if (value) named[field] = *value;
   }
   for (const auto& [from, to] : align) named["align"].push_back(Json::array({to_json(from), to_json(to)}));
   ReadContext context{"", {}};
   Json source;
-  Map map = read_map_node(Node{named, "", context}, file.parent_path(), source);
+  Map map = read_map_node(Node{named, "", context}, file.parent_path(), source, lanes);
   if (record != nullptr) *record = source.dump(-1, ' ', false, Json::error_handler_t::replace);
   if (!context.error) return map;
   InputError error = *context.error;
-  if (error.field == "ros" || error.field == "polygons" || error.field == "dxf" || error.field == "movingai" || error.field == "image" || error.field == "svg" || error.field == "rmf") error.field.clear();  // of the object made here, which names the file itself
+  if (error.field == "ros" || error.field == "polygons" || error.field == "dxf" || error.field == "movingai" || error.field == "image" || error.field == "svg" || error.field == "rmf" || error.field == "opentcs") error.field.clear();  // of the object made here, which names the file itself
   else if (error.file.empty()) error.file = file.string();
   return tl::unexpected{error};
+}
+
+}  // namespace
+
+Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, const dxf::Options& drawing, std::string* record, const CellMapOptions& cells) {
+  return read_any(file, align, drawing, record, cells, std::nullopt, nullptr);
+}
+
+Parsed<LaneMap> read_lane_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, std::optional<double> corridor, std::string* record, const dxf::Options& drawing, const CellMapOptions& cells) {
+  LaneMap read;
+  auto map = read_any(file, align, drawing, record, cells, corridor, &read.lanes);
+  if (!map) return tl::unexpected{map.error()};
+  read.map = std::move(*map);
+  return read;
 }
 
 }  // namespace waywright

@@ -12,11 +12,13 @@
 #include "waywright/io/map_io.hpp"
 #include "waywright/io/map_json.hpp"
 #include "waywright/io/map_parts.hpp"
+#include "waywright/io/opentcs_map.hpp"
 #include "waywright/io/rmf_map.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/io/scenario_json.hpp"
 #include "waywright/io/svg_map.hpp"
 #include "waywright/io/vehicle_io.hpp"
+#include "waywright/map/lane_graph.hpp"
 #include "waywright/map/published_maps.hpp"
 #include "waywright/map/trace.hpp"
 #include "waywright/map/field_worlds.hpp"
@@ -34,6 +36,8 @@ constexpr std::size_t deepest_source = 24;      // levels of a record that is ca
 constexpr double largest_raw_coordinate = 1e9;  // m, before a transform: national grids have large ones
 constexpr std::uint64_t largest_drawing = 1ULL << 30;  // bytes
 constexpr std::uint64_t largest_building = 16ULL << 20;  // bytes
+constexpr std::uint64_t largest_plant = 64ULL << 20;   // bytes
+constexpr double usual_margin = 5.0;            // m around a plant model, which has no walls
 constexpr std::uint64_t largest_svg = 64ULL << 20;     // bytes
 constexpr double largest_record = 1e12;         // m, of a transform that was made of several
 
@@ -54,7 +58,7 @@ void append(Map& map, Map more) {
   move_all(map.notes, more.notes);
 }
 
-std::optional<Vec2> point_beyond_limits(const Map& map) {
+std::optional<Vec2> point_beyond_limits(const Map& map, const LaneGraph& lanes) {
   const auto beyond = [](Vec2 p) { return !(std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate); };
   for (const auto* lists : {&map.boundaries, &map.obstacles, &map.lines}) {
     for (const auto& list : *lists) {
@@ -63,6 +67,12 @@ std::optional<Vec2> point_beyond_limits(const Map& map) {
   }
   if (const auto p = std::find_if(map.points.begin(), map.points.end(), beyond); p != map.points.end())
     return *p;
+  for (const LanePlace& place : lanes.places) {
+    if (beyond(place.at)) return place.at;
+  }
+  for (const Lane& lane : lanes.lanes) {
+    if (const auto p = std::find_if(lane.course.begin(), lane.course.end(), beyond); p != lane.course.end()) return *p;
+  }
   for (const CellGrid& grid : map.grids) {
     for (const int c : {0, grid.columns}) {
       for (const int r : {0, grid.rows}) {
@@ -104,6 +114,8 @@ class MapReader {
       read_svg(source);
     else if (kind_ == "rmf")
       read_rmf(source);
+    else if (kind_ == "opentcs")
+      read_opentcs(source);
     else
       read_inlined(source);
     if (!node_.failed()) trace_cells(source);
@@ -119,21 +131,23 @@ class MapReader {
     }
     return std::move(map_);
   }
+  /// Of the map itself, not of what lies over it.
+  LaneGraph take_lanes() { return std::move(lanes_); }
 
  private:
   bool check_fields() {
     if (!node_.is_object()) {
-      node_.fail(fmt::format("it is {}", kind_of(node_.json())), "an object with polygons, cells, ros, image, dxf, movingai, generate, svg or rmf");
+      node_.fail(fmt::format("it is {}", kind_of(node_.json())), "an object with polygons, cells, ros, image, dxf, movingai, generate, svg, rmf or opentcs");
       return false;
     }
     if (!node_.is_object_of({"polygons", "cells", "ros", "image", "resolution", "origin", "occupied_below",
                              "unknown_is_free", "movingai", "cell", "generate", "dxf", "unit", "obstacle_layers",
-                             "boundary_layer", "tolerance", "closing", "svg", "scale", "rmf", "level", "trace", "trace_relative", "dilate", "transform", "align", "overlay", "obstacles", "source",
+                             "boundary_layer", "tolerance", "closing", "svg", "scale", "rmf", "level", "opentcs", "corridor", "margin", "trace", "trace_relative", "dilate", "transform", "align", "overlay", "obstacles", "source",
                              "notes", "alignment"})) {
       return false;
     }
     int kinds = 0;
-    for (const char* kind : {"ros", "image", "dxf", "movingai", "generate", "svg", "rmf"}) {
+    for (const char* kind : {"ros", "image", "dxf", "movingai", "generate", "svg", "rmf", "opentcs"}) {
       if (!node_.has(kind)) continue;
       ++kinds;
       kind_ = kind;
@@ -144,14 +158,15 @@ class MapReader {
     }
     if (kinds != 1) {
       node_.fail(kinds == 0 ? "no kind of map is given" : fmt::format("{} kinds of map are given", kinds),
-                 "exactly one of polygons (with cells), ros, image, dxf, movingai, generate, svg, rmf");
+                 "exactly one of polygons (with cells), ros, image, dxf, movingai, generate, svg, rmf, opentcs");
       return false;
     }
     if (kind_ != "dxf" && !has_none_of({"unit", "obstacle_layers", "boundary_layer", "tolerance", "closing"})) return false;
-    if (kind_ != "movingai" && !has_none_of({"cell"})) return false;
+    if (kind_ != "movingai" && kind_ != "opentcs" && !has_none_of({"cell"})) return false;
+    if (kind_ != "opentcs" && !has_none_of({"corridor", "margin"})) return false;
     if (kind_ != "svg" && !has_none_of({"scale"})) return false;
     if (kind_ != "rmf" && !has_none_of({"level"})) return false;
-    if (kind_ == "movingai" || kind_ == "generate" || kind_ == "svg" || kind_ == "rmf") return has_none_of({"resolution", "origin", "occupied_below", "unknown_is_free", "source", "notes", "alignment"});
+    if (kind_ == "movingai" || kind_ == "generate" || kind_ == "svg" || kind_ == "rmf" || kind_ == "opentcs") return has_none_of({"resolution", "origin", "occupied_below", "unknown_is_free", "source", "notes", "alignment"});
     if (kind_ == "ros")
       return has_none_of({"resolution", "origin", "occupied_below", "source", "notes", "alignment"});
     if (kind_ == "image") return has_none_of({"unknown_is_free", "source", "notes", "alignment"});
@@ -259,12 +274,50 @@ class MapReader {
     if (node_.failed() || !count_file()) return;
     auto text = read_file(folder_ / name, largest_building);
     if (!text) return fail_by_file(node_.at("rmf"), text.error());
-    auto walls = decode_rmf_map(*text, (folder_ / name).string(), level);
+    auto walls = decode_rmf_map(*text, (folder_ / name).string(), level, &lanes_);
     if (!walls) return fail_by_file(node_.at("rmf"), walls.error());
     source["file"] = name;
     if (!level.empty()) source["level"] = level;
     add_file(source, fs::path{name}.filename().string(), sha256(*text));
     append(map_, std::move(*walls));
+  }
+
+  /// A plant model knows no obstacles: what is free is said beside it.
+  void read_opentcs(Json& source) {
+    const std::string name = node_.at("opentcs").file_name();
+    const bool has_corridor = node_.has("corridor"), has_margin = node_.has("margin");
+    const double corridor = has_corridor ? node_.at("corridor").number_above(0.0, 1e3) : 0.0;
+    const double margin = has_margin ? node_.at("margin").number_above(0.0, 1e5) : usual_margin;
+    if (has_corridor && has_margin) node_.at("margin").fail("it does not go with corridor, which says all that is free", "one of them");
+    if (node_.has("cell") && !has_corridor) node_.at("cell").fail("it goes with corridor alone", "corridor beside it");
+    const double given_cell = node_.has("cell") ? node_.at("cell").number_above(0.0, 1e3) : 0.0;
+    if (node_.failed() || !count_file()) return;
+    auto text = read_file(folder_ / name, largest_plant);
+    if (!text) return fail_by_file(node_.at("opentcs"), text.error());
+    auto plant = decode_opentcs_map(*text, (folder_ / name).string());
+    if (!plant) return fail_by_file(node_.at("opentcs"), plant.error());
+    std::vector<std::string>& notes = map_.notes;
+    notes.insert(notes.end(), plant->notes.begin(), plant->notes.end());
+    const std::string short_name = fs::path{name}.filename().string();
+    source["file"] = name;
+    if (has_corridor) {
+      const double cell = given_cell > 0.0 ? given_cell : corridor_cell(plant->lanes, corridor);
+      auto grid = lane_corridors(plant->lanes, corridor, cell);
+      if (!grid) return node_.at("corridor").fail(grid.error().problem, grid.error().allowed);
+      if (!count_cells(node_, grid->columns, grid->rows)) return;
+      grid->name = short_name;
+      notes.push_back(fmt::format("nothing is free but strips {:g} m across along the lanes, as cells of {:g} m", corridor, cell));
+      map_.grids.push_back(std::move(*grid));
+      source["corridor"] = corridor;
+      source["cell"] = cell;
+    } else {
+      const Box box = bounding_box(plant->lanes);
+      map_.boundaries.push_back(rectangle(box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}));
+      notes.push_back(fmt::format("a plant model has no walls: all is free up to {:g} m around its places and lanes (margin); corridor makes strips along the lanes all that is free", margin));
+      source["margin"] = margin;
+    }
+    add_file(source, short_name, sha256(*text));
+    append(lanes_, std::move(plant->lanes));
   }
 
   /// Polygons in place of the cells, in the map's own frame.
@@ -372,7 +425,7 @@ class MapReader {
     const std::string name = polygons.file_name();
     if (node_.failed() || !count_file()) return;
     const fs::path path = folder_ / name;
-    for (const auto& [extension, what, kind] : {std::tuple{".dxf", "a drawing", "dxf"}, {".yaml", "a ROS map", "ros"}, {".yml", "a ROS map", "ros"}, {".svg", "an SVG drawing", "svg"}}) {
+    for (const auto& [extension, what, kind] : {std::tuple{".dxf", "a drawing", "dxf"}, {".yaml", "a ROS map", "ros"}, {".yml", "a ROS map", "ros"}, {".svg", "an SVG drawing", "svg"}, {".xml", "a plant model", "opentcs"}}) {
       if (has_extension(path, extension)) return polygons.fail(fmt::format("{} is {}, not a map.json", name, what), fmt::format("{{\"{}\": \"{}\"}}", kind, name));
     }
     auto text = read_file(path, largest_json);
@@ -409,7 +462,7 @@ class MapReader {
              std::any_of(fields.begin(), fields.end(), [&](const char* f) { return json.contains(f); });
     };
     return any({"boundary", "boundaries", "obstacles", "lines", "points"}) &&
-           !any({"polygons", "cells", "ros", "image", "dxf", "movingai", "generate", "svg", "rmf"});
+           !any({"polygons", "cells", "ros", "image", "dxf", "movingai", "generate", "svg", "rmf", "opentcs"});
   }
 
   bool count_file() {
@@ -434,6 +487,7 @@ class MapReader {
     }
     if (node_.failed()) return;
     transform(map_, alignment.transform);
+    transform(lanes_, alignment.transform);
     for (std::vector<Ring>* rings : {&map_.boundaries, &map_.obstacles}) {
       for (Ring& ring : *rings) repair_placed(ring);
     }
@@ -456,7 +510,7 @@ class MapReader {
   }
 
   void check_limits() {
-    if (const auto p = point_beyond_limits(map_)) {
+    if (const auto p = point_beyond_limits(map_, lanes_)) {
       node_.fail(fmt::format("it reaches ({:g}, {:g}) in the world frame", p->x, p->y),
                  fmt::format("coordinates within {:g} m after the transform", largest_coordinate));
     }
@@ -485,6 +539,7 @@ class MapReader {
   const Node& node_;
   const fs::path& folder_;
   int overlays_deep_;
+  LaneGraph lanes_;
   std::string kind_;
   double most_ = largest_coordinate;
   Map map_;
@@ -492,8 +547,11 @@ class MapReader {
 
 }  // namespace
 
-Map read_map_node(const Node& node, const fs::path& folder, Json& source) {
-  return MapReader{node, folder, 0}.read(source);
+Map read_map_node(const Node& node, const fs::path& folder, Json& source, LaneGraph* lanes) {
+  MapReader reader{node, folder, 0};
+  Map map = reader.read(source);
+  if (lanes != nullptr) *lanes = reader.take_lanes();
+  return map;
 }
 
 }  // namespace waywright

@@ -20,12 +20,14 @@ namespace {
 constexpr std::size_t largest = 16U << 20U;     // bytes
 constexpr double largest_raw_coordinate = 1e9;  // m, before a transform
 constexpr std::size_t most_places = 40;         // named in a note
+constexpr std::size_t most_lanes = 100'000;
+constexpr std::size_t no_place = std::numeric_limits<std::size_t>::max();
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double doubtful = 0.02;               // of the scale: measurements that differ by more are told
 
 class Building {
  public:
-  Building(const std::string& name, const std::string& level) : name_{name}, wanted_{level} {}
+  Building(const std::string& name, const std::string& level, LaneGraph& lanes) : name_{name}, wanted_{level}, lanes_{lanes} {}
 
   Parsed<Map> read(const YAML::Node& root) {
     const YAML::Node levels = root.IsMap() ? root["levels"] : YAML::Node{};
@@ -45,8 +47,8 @@ class Building {
     }
     if (path_.empty()) return refuse("level", wanted_.empty() ? "it has several levels" : fmt::format("there is no level \"{}\"", shortened(wanted_)), all);
     if (!level.IsMap()) return refuse(path_, "it is no map of fields", "vertices, walls, measurements");
-    if (!read_vertices(level["vertices"]) || !read_scale(level["measurements"]) || !read_walls(level["walls"])) return tl::unexpected{*error_};
-    for (const char* what : {"doors", "models", "lanes"}) {
+    if (!read_vertices(level["vertices"]) || !read_scale(level["measurements"]) || !read_walls(level["walls"]) || !read_lanes(level["lanes"])) return tl::unexpected{*error_};
+    for (const char* what : {"doors", "models", "human_lanes"}) {
       const YAML::Node list = level[what];
       if (list.IsDefined() && list.IsSequence() && list.size() > 0) map_.notes.push_back(fmt::format("left out: {} ({})", what, list.size()));
     }
@@ -149,6 +151,49 @@ class Building {
     return true;
   }
 
+  /// A value in Open-RMF's manner: [type, value].
+  static YAML::Node value_of(const YAML::Node& fields, const char* name) {
+    const YAML::Node typed = fields.IsMap() ? fields[name] : YAML::Node{};
+    return typed.IsDefined() && typed.IsSequence() && typed.size() == 2 ? typed[1] : YAML::Node{};
+  }
+
+  /// Only vertices that lie on a lane or have a name are places.
+  bool read_lanes(const YAML::Node& list) {
+    if (!list.IsDefined() || list.IsNull()) return true;
+    if (!list.IsSequence()) return fail("lanes", "it is no list", "a list of [vertex, vertex, …]");
+    LaneGraph& graph = lanes_;
+    std::vector<std::size_t> places(vertices_.size(), no_place);
+    const auto place = [&](std::size_t i) {
+      if (places[i] == no_place) {
+        places[i] = graph.places.size();
+        graph.places.push_back({names_[i].empty() ? fmt::format("vertex {}", i) : one_line(names_[i]), vertices_[i], {}});
+      }
+      return places[i];
+    };
+    for (const YAML::Node& entry : list) {
+      const std::string field = fmt::format("lanes[{}]", graph.lanes.size());
+      const bool is_list = entry.IsSequence() && entry.size() >= 2;
+      const auto a = is_list ? vertex(entry[0]) : std::nullopt, b = is_list ? vertex(entry[1]) : std::nullopt;
+      if (!a || !b || *a == *b) return fail(field, "it is no lane", fmt::format("[vertex, vertex, …] with two numbers from 0 to {}", vertices_.empty() ? 0 : vertices_.size() - 1));
+      if (graph.lanes.size() >= most_lanes) return fail("lanes", fmt::format("there are over {}", most_lanes), fmt::format("at most {}", most_lanes));
+      Lane lane;
+      lane.from = place(*a);
+      lane.to = place(*b);
+      lane.name = graph.places[lane.from].name + " - " + graph.places[lane.to].name;
+      lane.course = {vertices_[*a], vertices_[*b]};
+      const YAML::Node fields = entry.size() >= 3 ? entry[2] : YAML::Node{};
+      lane.is_both_ways = word(value_of(fields, "bidirectional"), "false") == "true";
+      if (const auto speed = number(value_of(fields, "speed_limit")); speed && *speed > 0.0) lane.speed = *speed;
+      graph.lanes.push_back(std::move(lane));
+    }
+    if (graph.lanes.empty()) return true;
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      if (!names_[i].empty()) place(i);
+    }
+    for (std::string& sentence : describe(graph)) map_.notes.push_back(std::move(sentence));
+    return true;
+  }
+
   std::string name_, wanted_, path_;
   bool is_image_ = true;
   double scale_ = 1.0;
@@ -156,15 +201,17 @@ class Building {
   std::vector<Vec2> vertices_;
   std::vector<std::string> names_;
   Map map_;
+  LaneGraph& lanes_;
 };
 
 }  // namespace
 
-Parsed<Map> decode_rmf_map(const std::string& bytes, const std::string& name, const std::string& level) {
+Parsed<Map> decode_rmf_map(const std::string& bytes, const std::string& name, const std::string& level, LaneGraph* lanes) {
   if (bytes.size() > largest) return tl::unexpected{InputError{name, "", fmt::format("it has {} bytes", bytes.size()), fmt::format("at most {}", largest)}};
   if (auto problem = suspicious_yaml(bytes)) return tl::unexpected{InputError{name, "", *problem, "plain maps and lists"}};
   try {
-    return Building{name, level}.read(YAML::Load(bytes));
+    LaneGraph unasked;
+    return Building{name, level, lanes != nullptr ? *lanes : unasked}.read(YAML::Load(bytes));
   } catch (const YAML::Exception& e) {
     return tl::unexpected{InputError{name, "", fmt::format("not valid yaml near line {}", e.mark.line + 1), ""}};
   }

@@ -45,6 +45,27 @@ TEST(RmfMap, WallsAreLinesInMetres) {
   EXPECT_EQ(metres.lines[0], (Polyline{{100, 200}, {300, 200}}));
 }
 
+TEST(RmfMap, LanesAreRoutesBesideTheWalls) {
+  const std::string lanes = two_rooms + R"(    lanes:
+      - [0, 1, {bidirectional: [4, true], graph_idx: [2, 0], orientation: [1, ""], speed_limit: [3, 0]}]
+      - [1, 2, {bidirectional: [4, false], speed_limit: [3, 0.5]}]
+)";
+  LaneGraph graph;
+  const Map map = decode_rmf_map(lanes, "b", "", &graph).value();
+  EXPECT_EQ(map.lines.size(), 2U);
+  ASSERT_EQ(graph.lanes.size(), 2U);
+  EXPECT_EQ(graph.lanes[0].course, (Polyline{{5, -10}, {15, -10}}));
+  EXPECT_TRUE(graph.lanes[0].is_both_ways);
+  EXPECT_FALSE(graph.lanes[0].speed);
+  EXPECT_FALSE(graph.lanes[1].is_both_ways);
+  EXPECT_EQ(graph.lanes[1].speed, 0.5);
+  EXPECT_EQ(graph.places.at(graph.lanes[1].to).name, "lift");
+  EXPECT_EQ(graph.places.at(graph.lanes[1].from).name, "vertex 1");
+  EXPECT_NE(std::find(map.notes.begin(), map.notes.end(), "3 places, 2 lanes of 20.0 m in all, 1 of them one way"), map.notes.end());
+  EXPECT_NE(refusal(with(lanes, "- [1, 2, {bidirectional", "- [1, 9, {bidirectional")).find("levels.L1.lanes[1]: it is no lane"), std::string::npos);
+  EXPECT_NE(refusal(with(lanes, "- [1, 2, {bidirectional", "- [1, 1, {bidirectional")).find("levels.L1.lanes[1]: it is no lane"), std::string::npos);
+}
+
 TEST(RmfMap, BadOnesAreRefusedInASentence) {
   EXPECT_NE(refusal("a: 1").find("levels: it has no levels"), std::string::npos);
   EXPECT_NE(refusal("[1, 2]").find("levels"), std::string::npos);

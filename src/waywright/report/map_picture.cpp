@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "waywright/report/scene_parts.hpp"
 
@@ -25,6 +26,13 @@ class Extent {
     }
     for (const Vec2 p : map.points) add(p);
     for (const CellGrid& grid : map.grids) add(grid);
+  }
+  void add(const LaneGraph& lanes) {
+    for (const LanePlace& place : lanes.places) add(place.at);
+    for (const Lane& lane : lanes.lanes) {
+      for (const Vec2 p : lane.course) add(p);
+    }
+    for (const LaneStation& station : lanes.stations) add(station.at);
   }
   Box with_margin() const {
     const double margin = std::max(0.04 * norm(box_.high - box_.low), 1e-3);
@@ -61,6 +69,48 @@ void draw_placed(SvgWriter& svg, const Map& map) {
   for (const Vec2 p : map.points) svg.dot(p, 1.8, "fwdmark");
 }
 
+/// An arrow head of some pixels in the middle of a lane; of one that is driven both ways none.
+void draw_arrow(SvgWriter& svg, const Lane& lane, double pixel) {
+  double half = 0.5 * length(lane);
+  for (std::size_t i = 0; i + 1 < lane.course.size(); ++i) {
+    const Vec2 way = lane.course[i + 1] - lane.course[i];
+    const double piece = norm(way);
+    if (piece < half || !(piece > 0.0)) {
+      half -= piece;
+      continue;
+    }
+    const Vec2 along = (1.0 / piece) * way, tip = lane.course[i] + half * along + (4.0 * pixel) * along, back = tip - (9.0 * pixel) * along;
+    svg.polygon({tip, back + (4.0 * pixel) * left_of(along), back - (4.0 * pixel) * left_of(along)}, "fwdmark");
+    return;
+  }
+}
+
+/// Lanes, places and stations; names where there is room for them, left of their places near the `right` edge (px).
+void draw_lanes(SvgWriter& svg, const LaneGraph& graph, double right) {
+  constexpr double shortest_arrow = 18.0, room = 26.0;  // px
+  const double pixel = 1.0 / svg.view().scale;
+  for (const Lane& lane : graph.lanes) svg.polyline(lane.course, "placedline");
+  for (const Lane& lane : graph.lanes) {
+    if (!lane.is_both_ways && length(lane) > shortest_arrow * pixel) draw_arrow(svg, lane, pixel);
+  }
+  std::vector<Vec2> written;
+  const auto name = [&](Vec2 at, const std::string& text) {
+    if (std::any_of(written.begin(), written.end(), [&](Vec2 other) { return std::abs(other.x - at.x) < 4.0 * room * pixel && std::abs(other.y - at.y) < 0.6 * room * pixel; })) return;
+    written.push_back(at);
+    const bool at_right = svg.view()(at).x > right - 7.0 * static_cast<double>(text.size()) - 8.0;
+    svg.label(at, {at_right ? -6.0 : 6.0, -5.0}, text, at_right ? "note end" : "note");
+  };
+  for (const LaneStation& station : graph.stations) {
+    for (const std::size_t place : station.places) svg.line(station.at, graph.places[place].at, "spotline");
+  }
+  for (const LanePlace& place : graph.places) svg.dot(place.at, 3.0, "fwdmark");
+  for (const LaneStation& station : graph.stations) {
+    svg.square(station.at, 9.0, "placed");
+    name(station.at, station.name);
+  }
+  for (const LanePlace& place : graph.places) name(place.at, place.name);
+}
+
 }  // namespace
 
 std::string map_svg(const MapPicture& picture, double width) {
@@ -71,6 +121,7 @@ std::string map_svg(const MapPicture& picture, double width) {
     extent.add(pair.meant);
   }
   if (picture.below != nullptr) extent.add(*picture.below);
+  if (picture.lanes != nullptr) extent.add(*picture.lanes);
   const Box region = extent.with_margin();
   const Vec2 size = region.high - region.low;
   const double scale = std::min((width - left_gutter) / size.x, 1.1 * width / size.y);
@@ -99,6 +150,12 @@ std::string map_svg(const MapPicture& picture, double width) {
   }
   if (std::any_of(map.grids.begin(), map.grids.end(), [](const CellGrid& g) { return std::find(g.blocked.begin(), g.blocked.end(), 2) != g.blocked.end(); }))
     legend.push_back({"unknown", Shape::box, "unknown"});
+  if (picture.lanes != nullptr) {
+    draw_lanes(svg, *picture.lanes, canvas.width);
+    legend.push_back({"placedline", Shape::line, "lanes; an arrow: one way"});
+    legend.push_back({"fwdmark", Shape::dot, "places"});
+    if (!picture.lanes->stations.empty()) legend.push_back({"placed", Shape::box, "stations"});
+  }
   for (std::size_t i = 0; i < picture.pairs.size(); ++i) {
     const Vec2 at = picture.pairs[i].meant;
     svg.polyline({picture.pairs[i].placed, at}, "spotline");

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "waywright/map/map.hpp"
+#include "waywright/map/lane_graph.hpp"
 
 namespace waywright {
 
@@ -19,6 +19,7 @@ struct MapPicture {
     Vec2 meant;   ///< where it should
   };
   std::vector<Pair> pairs;         ///< their residuals are those of the map's alignment
+  const LaneGraph* lanes = nullptr;  ///< drawn over both; may be none
 };
 
 /// An SVG about `width` pixels wide, with coordinates and a legend.

@@ -31,6 +31,19 @@ Vec2 calm_point(const std::vector<Vec2>& curve, const std::vector<Vec2>& busy) {
   return best;
 }
 
+/// Are there cells in sight of which nothing is known?
+bool shows_unknown(const Map& map, const Box& region) {
+  constexpr std::uint8_t unknown = 2;
+  for (const CellGrid& grid : map.grids) {
+    const auto found = std::find_if(grid.blocked.begin(), grid.blocked.end(), [&, i = std::int64_t{-1}](std::uint8_t cell) mutable {
+      ++i;
+      return cell == unknown && region.contains(grid.corner(static_cast<double>(i % grid.columns) + 0.5, static_cast<double>(i / grid.columns) + 0.5));
+    });
+    if (found != grid.blocked.end()) return true;
+  }
+  return false;
+}
+
 class Scene {
  public:
   Scene(const Problem& problem, const Plan& plan, const Canvas& canvas) : problem_{problem}, plan_{plan}, canvas_{canvas}, svg_{canvas_.view} {}
@@ -40,7 +53,7 @@ class Scene {
     draw_zone_areas(svg_, problem_.scenario().zones);
     draw_zones();
     numbered_ = draw_map(svg_, problem_.scenario(), canvas_.region);
-    if (plan_.search) draw_search(svg_, *plan_.search);
+    if (plan_.search) draw_search(svg_, *plan_.search, canvas_.region);
     draw_sweep(svg_, problem_.footprint(), plan_.samples);
     draw_alternatives();
     draw_path(svg_, plan_.samples);
@@ -94,6 +107,7 @@ class Scene {
     }
     if (!problem_.scenario().waypoints.empty()) entries.push_back({"waypoint", Shape::dot, "1, 2, 3 …: waypoints in order"});
     if (stops_) entries.push_back({"stop", Shape::square, "stop where the curvature jumps"});
+    if (crowded_) entries.push_back({"", Shape::none, "marks are left out where they are too near to each other"});
     if (const auto* station = std::get_if<Station>(&problem_.scenario().mission)) {
       entries.push_back({"shelf", Shape::box, "shelf, loading face bold"});
       if (station->insertion) entries.push_back({"pocket", Shape::box, "pocket"});
@@ -107,7 +121,7 @@ class Scene {
           {"alt", Shape::line,
            plan_.samples.empty() ? "tried in vain, as far as it came" : "what was not taken"});
     if (plan_.search) {
-      for (LegendEntry& entry : search_legend(*plan_.search)) entries.push_back(std::move(entry));
+      for (LegendEntry& entry : search_legend(*plan_.search, canvas_.region)) entries.push_back(std::move(entry));
     }
     if (blocked_) entries.push_back({"hit", Shape::box, "where it touches or comes too near"});
     if (tight_)
@@ -117,6 +131,7 @@ class Scene {
       entries.push_back({"spot", Shape::dot,
                          problem_.is_driven_back() ? "tightest after the first straight"
                                                    : "tightest before the final straight"});
+    if (shows_unknown(problem_.scenario().map, canvas_.region)) entries.push_back({"unknown", Shape::box, "unknown, taken as occupied"});
     if (numbered_) entries.push_back({"", Shape::none, "0, 1, 2 …: obstacles as the text names them"});
     return entries;
   }
@@ -174,14 +189,31 @@ class Scene {
   }
 
   void draw_stops() {
+    // Where many are near each other (along a Voronoi diagram of cells, say), they would hide each other and the path.
+    constexpr double room = 18.0, least = 8.0;  // px between letters, between marks
+    constexpr double same = 0.01;               // px: a turn on the spot has a mark at its begin and at its end
+    std::vector<Vec2> letters{canvas_.view(problem_.first_pose().position()), canvas_.view(problem_.last_pose().position())}, outlines, squares;
+    const auto has_room = [&](std::vector<Vec2>& taken, Vec2 at, double apart, double up_to = 0.0) {
+      const Vec2 p = canvas_.view(at);
+      if (std::any_of(taken.begin(), taken.end(), [&](Vec2 other) { return distance(p, other) < up_to; })) return true;
+      if (std::any_of(taken.begin(), taken.end(), [&](Vec2 other) { return distance(p, other) < apart; })) return false;
+      taken.push_back(p);
+      return true;
+    };
     for (std::size_t i = 1; i < plan_.samples.size(); ++i) {
       if (!is_direction_change(plan_.samples[i - 1], plan_.samples[i])) continue;
-      draw_vehicle(svg_, problem_.footprint(), plan_.samples[i].pose(), "T");
+      const Pose pose = plan_.samples[i].pose();
+      const bool is_spin = plan_.samples[i - 1].direction == 0 || plan_.samples[i].direction == 0;
+      // Changes of direction are all there: each is a place that somebody looks for.
+      if (!is_spin || has_room(outlines, pose.position(), least, same)) draw_vehicle(svg_, problem_.footprint(), pose, !is_spin || has_room(letters, pose.position(), room) ? "T" : "");
+      else crowded_ = true;
       turns_ = true;
       (plan_.samples[i - 1].direction == 0 || plan_.samples[i].direction == 0 ? spins_ : changes_) = true;
     }
     for (const std::size_t i : steering_stops(plan_)) {
-      svg_.square(plan_.samples[i].pose().position(), 8.0, "stop");
+      const Vec2 at = plan_.samples[i].pose().position();
+      if (has_room(squares, at, least)) svg_.square(at, 8.0, "stop");
+      else crowded_ = true;
       stops_ = true;
     }
   }
@@ -214,7 +246,7 @@ class Scene {
   const Plan& plan_;
   Canvas canvas_;
   SvgWriter svg_;
-  bool zones_ = false, others_ = false, numbered_ = false, turns_ = false, changes_ = false, spins_ = false, stops_ = false, blocked_ = false,
+  bool zones_ = false, others_ = false, numbered_ = false, turns_ = false, changes_ = false, spins_ = false, stops_ = false, crowded_ = false, blocked_ = false,
        tight_ = false, off_straight_ = false;
 };
 

@@ -12,7 +12,7 @@ namespace waywright {
 void label_beside(SvgWriter& svg, const Canvas& canvas, Vec2 point, Vec2 away, const Label& label) {
   const double length = norm(away);
   const Vec2 d = length > 0.0 ? (1.0 / length) * away : Vec2{0.0, 1.0};
-  const double letter = label.style_class == "note" ? 6.4 : 9.0;  // px, about
+  const double letter = label.style_class == "note" ? 7.0 : 10.0;  // px, at least what most letters take: nothing is cut off at the edge
   const double needed = std::max(letter * static_cast<double>(label.text.size()),
                                  6.9 * static_cast<double>(label.below.size()));
   const Vec2 at = canvas.view(point);

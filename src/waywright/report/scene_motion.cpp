@@ -23,7 +23,7 @@ void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose, 
   svg.polyline(
       {frame.to_world(Vec2{front - head, 0.6 * head}), tip, frame.to_world(Vec2{front - head, -0.6 * head})},
       "heading");
-  svg.label(pose.position(), {6.0, -6.0}, name, "name");
+  if (*name != '\0') svg.label(pose.position(), {6.0, -6.0}, name, "name");
 }
 
 void draw_goal(SvgWriter& svg, const Problem& problem, const Plan& plan, const char* name) {

@@ -17,6 +17,27 @@ constexpr double moving = 8.0, standing = 2.5;  // s, of what moves, and of the 
 
 using Stroke = SearchPicture::Line;
 
+/// Those that may be seen; of too many evenly fewer, with how many there are.
+struct Seen {
+  std::vector<Stroke> lines;
+  std::size_t all = 0;
+};
+Seen seen_of(const std::vector<Stroke>& lines, const Box& region, bool at_the_end, std::size_t most) {
+  Seen seen;
+  for (const Stroke& line : lines) {
+    if (at_the_end && line.gone != SearchPicture::never) continue;
+    const bool beside = std::max(line.from.x, line.to.x) < region.low.x || std::min(line.from.x, line.to.x) > region.high.x || std::max(line.from.y, line.to.y) < region.low.y ||
+                        std::min(line.from.y, line.to.y) > region.high.y;
+    if (!beside) seen.lines.push_back(line);
+  }
+  seen.all = seen.lines.size();
+  if (seen.all > most) {
+    for (std::size_t i = 0; i < most; ++i) seen.lines[i] = seen.lines[i * seen.all / most];
+    seen.lines.resize(most);
+  }
+  return seen;
+}
+
 std::string strokes(const SvgWriter& svg, const std::vector<Stroke>& lines) {
   std::string d;
   for (const Stroke& line : lines) {
@@ -56,21 +77,18 @@ std::string polyline(const SvgWriter& svg, const std::vector<Vec2>& points, cons
 
 }  // namespace
 
-void draw_search(SvgWriter& svg, const SearchPicture& search) {
-  std::vector<Stroke> left;
-  for (const Stroke& line : search.lines) {
-    if (line.gone == SearchPicture::never && left.size() < most_lines) left.push_back(line);
-  }
+void draw_search(SvgWriter& svg, const SearchPicture& search, const Box& region) {
+  const std::vector<Stroke> left = seen_of(search.lines, region, true, most_lines).lines;
   if (!left.empty()) svg.raw(fmt::format("<path class=\"searchline\" d=\"{}\"/>\n", strokes(svg, left)));
   if (search.swarms.empty()) return;
   for (const std::vector<Vec2>& agent : search.swarms.back().agents) svg.polyline(agent, "searchagent");
 }
 
-std::vector<LegendEntry> search_legend(const SearchPicture& search) {
+std::vector<LegendEntry> search_legend(const SearchPicture& search, const Box& region) {
   using Shape = LegendEntry::Shape;
   std::vector<LegendEntry> entries;
-  const auto left = static_cast<std::size_t>(std::count_if(search.lines.begin(), search.lines.end(), [](const Stroke& line) { return line.gone == SearchPicture::never; }));
-  if (left > 0) entries.push_back({"searchline", Shape::line, search.name + (left > most_lines ? fmt::format(", the first {} of {} lines", most_lines, left) : std::string{})});
+  const std::size_t left = seen_of(search.lines, region, true, most_lines).all;
+  if (left > 0) entries.push_back({"searchline", Shape::line, search.name + (left > most_lines ? fmt::format(", {} of {} lines", most_lines, left) : std::string{})});
   if (!search.swarms.empty()) entries.push_back({"searchagent", Shape::line, "agents where they ended"});
   return entries;
 }
@@ -83,9 +101,9 @@ std::string search_svg(const Problem& problem, const Plan& plan, double width) {
   draw_zone_areas(svg, problem.scenario().zones);
   draw_map(svg, problem.scenario(), canvas.region, false);
   std::map<std::pair<int, int>, std::vector<Stroke>> together;
-  for (std::size_t i = 0; i < std::min(search.lines.size(), 2 * most_lines); ++i) {
-    const int born = frame_of(search.lines[i].born, search.steps), gone = frame_of(search.lines[i].gone, search.steps);
-    if (born < gone) together[{born, gone}].push_back(search.lines[i]);
+  for (const Stroke& line : seen_of(search.lines, canvas.region, false, 2 * most_lines).lines) {
+    const int born = frame_of(line.born, search.steps), gone = frame_of(line.gone, search.steps);
+    if (born < gone) together[{born, gone}].push_back(line);
   }
   for (const auto& [time, lines] : together) svg.raw(shown(time.first, time.second, fmt::format("<path class=\"searchline\" d=\"{}\"/>\n", strokes(svg, lines))));
   const auto in_turn = [&](const auto& items, const auto& content) {

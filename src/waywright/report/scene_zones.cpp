@@ -84,7 +84,23 @@ void draw_zone_areas(SvgWriter& svg, const std::vector<Zone>& zones) {
 }
 
 void draw_zone_names(SvgWriter& svg, const std::vector<Zone>& zones, const Box& region) {
-  for (const Zone& zone : zones) {
+  // Where many zones lie beside each other (lanes of a plant) not all names have room: those of one-way zones, which have arrows, give way to others.
+  std::vector<const Zone*> in_turn;
+  for (const bool are_directed : {false, true}) {
+    for (const Zone& zone : zones) {
+      if ((zone.type == ZoneType::directed) == are_directed) in_turn.push_back(&zone);
+    }
+  }
+  std::vector<Box> written;  // px
+  const auto has_room = [&](Vec2 at, const std::string& text) {
+    const Vec2 middle = svg.view()(at), half{3.4 * static_cast<double>(text.size()) + 3.0, 8.0};
+    const Box box{middle - half, middle + half};
+    if (std::any_of(written.begin(), written.end(), [&](const Box& b) { return b.low.x < box.high.x && box.low.x < b.high.x && b.low.y < box.high.y && box.low.y < b.high.y; })) return false;
+    written.push_back(box);
+    return true;
+  };
+  for (const Zone* const one : in_turn) {
+    const Zone& zone = *one;
     const std::string text = label_of(zone);
     if (text.empty()) continue;
     // Along the upper edge, else along the lower one, where fewer paths pass than through the middle.
@@ -94,7 +110,7 @@ void draw_zone_names(SvgWriter& svg, const std::vector<Zone>& zones, const Box& 
     for (const Vec2 edge : {Vec2{x, box.low.y + off}, Vec2{x, box.high.y - off}}) {
       if (contains(zone.area, edge) && region.contains(edge)) at = edge;
     }
-    if (region.contains(at)) svg.label(at, {0.0, 4.0}, text, "note middle");
+    if (region.contains(at) && has_room(at, text)) svg.label(at, {0.0, 4.0}, text, "note middle");
   }
 }
 

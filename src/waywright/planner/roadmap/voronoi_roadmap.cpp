@@ -73,8 +73,11 @@ void VoronoiRoadmap::lay_out() {
   for (std::uint32_t e = 0; e < edges.size(); ++e) {
     const VoronoiEdge& edge = edges[e];
     const double least = edge.left.is_point() && edge.right.is_point() ? 0.5 * distance(edge.left.a, edge.right.a) : 0.0;
-    const double ends = std::max(distance(edge.left, diagram_->vertices()[edge.from]), distance(edge.left, diagram_->vertices()[edge.to]));
-    if (std::max(least, ends) <= needed) continue;  // the clearance is greatest at one of the ends
+    const Vec2 from = diagram_->vertices()[edge.from], to = diagram_->vertices()[edge.to];
+    const double at_from = distance(edge.left, from), at_to = distance(edge.left, to);
+    if (std::max({least, at_from, at_to}) <= needed) continue;  // the clearance is greatest at one of the ends
+    // No outline crosses the diagram: what begins within something solid stays there.
+    if (space_.problem().world().is_blocked(at_from > at_to ? from : to)) continue;
     const std::vector<VoronoiPlace> places = diagram_->places(edge, spacing_, sagitta);
     std::uint32_t before = none;
     for (std::size_t i = 0; i < places.size(); ++i) {

@@ -1,0 +1,93 @@
+// Lanes from the files on: a plant model becomes a scenario whose plan keeps to them.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/command_line.hpp"
+
+namespace waywright {
+namespace {
+
+using waywright::test::CommandLine;
+using waywright::test::Json;
+using waywright::test::slurp;
+
+const std::string plant = R"(<model version="7.0.0" name="ring">
+  <point name="A" positionX="0" positionY="0" vehicleOrientationAngle="NaN"/><point name="B" positionX="12000" positionY="0" vehicleOrientationAngle="NaN"/>
+  <point name="C" positionX="12000" positionY="8000" vehicleOrientationAngle="90"/><point name="D" positionX="0" positionY="8000" vehicleOrientationAngle="NaN"/>
+  <path name="AB" sourcePoint="A" destinationPoint="B" maxVelocity="1000"/><path name="BC" sourcePoint="B" destinationPoint="C" maxVelocity="400"/>
+  <path name="CD" sourcePoint="C" destinationPoint="D" maxVelocity="1000"/><path name="DA" sourcePoint="D" destinationPoint="A" maxVelocity="1000"/>
+  <location name="dock" positionX="14000" positionY="8000"><link point="C"/></location>
+  <vehicle name="cart" maxVelocity="1200"><boundingBox length="800" width="600"/></vehicle>
+</model>)";
+
+TEST_F(CommandLine, APlantModelBecomesAScenarioAlongItsLanes) {
+  std::ofstream{folder_ / "ring.xml"} << plant;
+  const auto made = run("map ring.xml --corridor 1.6 --scenario s.json --from D --to dock --picture p.svg");
+  ASSERT_EQ(made.status, 0) << made.err;
+  for (const char* told : {"4 places, 4 lanes of 40.0 m in all, 4 of them one way", "places: A (0.000, 0.000), B (12.000, 0.000), C (12.000, 8.000, 1.5708 rad)", "stations: dock (14.000, 8.000; at C)"}) {
+    EXPECT_NE(made.out.find(told), std::string::npos) << told << "\n" << made.out;
+  }
+  EXPECT_NE(made.err.find("the vehicle is cart, 0.8 x 0.6 m"), std::string::npos) << made.err;
+  EXPECT_NE(slurp(folder_ / "p.svg").find("one way"), std::string::npos);
+  const Json scenario = Json::parse(slurp(folder_ / "s.json"));
+  EXPECT_EQ(scenario["meta"]["lanes"]["route"], Json::parse(R"(["D", "A", "B", "C"])"));
+  EXPECT_EQ(scenario["map"]["source"]["corridor"], 1.6);
+  int directed = 0, slow = 0;
+  for (const auto& zone : scenario["zones"]) {
+    directed += zone["type"] == "directed" ? 1 : 0;
+    slow += zone["type"] == "speed_limit" && zone["speed"] == 0.4 ? 1 : 0;
+  }
+  EXPECT_EQ(directed, 4);
+  EXPECT_EQ(slow, 1);
+  // Straight along the lane from C to D, backwards, the way would be 12 m; along the one-way lanes it is 28 m.
+  const auto planned = run("plan s.json -o o");
+  ASSERT_EQ(planned.status, 0) << planned.out << planned.err;
+  EXPECT_EQ(run("verify o/plan.json").status, 0);
+  const Json plan = Json::parse(slurp(folder_ / "o/plan.json"));
+  EXPECT_GT(plan["metrics"]["length"].get<double>(), 25.0);
+  EXPECT_LT(plan["metrics"]["length"].get<double>(), 28.5);
+  // The limit of the lane to C.
+  const auto& samples = plan["path"]["samples"];
+  for (std::size_t i = 0; i < samples["s"].size(); ++i) {
+    if (samples["x"][i].get<double>() < 11.5 || samples["y"][i].get<double>() < 1.0) continue;
+    EXPECT_LE(samples["speed"][i].get<double>(), 0.4 + 1e-9);
+  }
+  // Who knows nothing of directions is judged all the same.
+  EXPECT_EQ(run("plan s.json --planner visibility_graph -o v").status, 1);
+  EXPECT_EQ(Json::parse(slurp(folder_ / "v/plan.json"))["status"], "unproven");
+}
+
+TEST_F(CommandLine, LanesThatCannotBeScenariosAreRefused) {
+  std::ofstream{folder_ / "ring.xml"} << plant;
+  refused(run("map ring.xml --scenario s.json --from A"), {"--to", "A, B, C, D"});
+  refused(run("map ring.xml --scenario s.json --from A --to X"), {"--to", "no place \"X\"", "A, B, C, D"});
+  refused(run("map ring.xml --scenario s.json --from A --to A"), {"--to", "same place"});
+  refused(run("map ring.xml --scenario s.json --from A --to B --prefer 2"), {"--prefer", "0.01"});
+  refused(run("map ring.xml --scenario s.json --from A --to B --lane-width -1"), {"--lane-width", "not over 0"});
+  refused(run("map ring.xml --scenario ring.xml --from A --to B"), {"--scenario", "would be lost"});
+  refused(run("map ring.xml --from A"), {"--scenario"});
+  refused(run("map " + example("warehouse.yaml") + " --scenario s.json --from A --to B"), {"no lanes"});
+  refused(run("map " + example("warehouse.yaml") + " --corridor 2"), {"no plant model"});
+  refused(run("map ring.xml --corridor 0.001"), {"corridor", "four cells"});
+  refused(run("map ring.xml --vehicle v.json --scenario s.json --from A --to B"), {"v.json"});
+}
+
+TEST_F(CommandLine, TheDemoPlantAndTheOfficeAreDrivenAlongTheirLanes) {
+  const char* data = std::getenv("WAYWRIGHT_TEST_DATA");
+  if (data == nullptr || !std::filesystem::exists(std::filesystem::path{data} / "roadmaps")) GTEST_SKIP() << "no outside data (WAYWRIGHT_TEST_DATA)";
+  const std::string folder = std::string{data} + "/roadmaps/";
+  const auto plant_made = run("map " + folder + "opentcs_Demo-01.xml --corridor 2 --scenario d.json --from 'Goods in north 01' --to 'Point-0001'");
+  ASSERT_EQ(plant_made.status, 0) << plant_made.err;
+  const auto demo = run("plan d.json -o d");
+  EXPECT_EQ(demo.status, 0) << demo.out << demo.err;
+  EXPECT_EQ(run("verify d/plan.json").status, 0);
+  const auto office_made = run("map " + folder + "rmf_office.building.yaml --scenario f.json --from pantry --to supplies --prefer 0.5 --vehicle " + example("vehicles/disc_robot.json"));
+  ASSERT_EQ(office_made.status, 0) << office_made.err;
+  const auto office = run("plan f.json -o f");
+  EXPECT_EQ(office.status, 0) << office.out << office.err;
+  EXPECT_EQ(run("verify f/plan.json").status, 0);
+}
+
+}  // namespace
+}  // namespace waywright
