@@ -3,10 +3,10 @@
 
 #include <atomic>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <thread>
 
+#include "tests/outside_data.hpp"
 #include "waywright/core/random.hpp"
 #include "waywright/io/map_io.hpp"
 #include "waywright/io/plan_io.hpp"
@@ -168,14 +168,13 @@ TEST(ClearanceOptimal, DangerDecidesBetweenAGapAndTheWayAround) {
 
 // Real maps, read in place: halls with ragged walls, unknown cells, rotated origins; a forklift and a robot.
 TEST(ClearanceOptimal, RealMapsArePlannedOnAndProven) {
-  const char* given = std::getenv("WAYWRIGHT_TEST_DATA");
-  const std::filesystem::path folder = std::filesystem::path{given != nullptr ? given : std::string{WAYWRIGHT_SOURCE_DIR} + "/../shared/data"} / "ros_maps";
-  if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "no outside data at " << folder << " (WAYWRIGHT_TEST_DATA)";
+  const auto folder = test::outside_data("ros_maps");
+  if (!folder) GTEST_SKIP() << test::no_outside_data;
   Random random{13};
   for (const char* name : {"nav2/depot.yaml", "ipa_factory/map.yaml", "aws_hospital/hospital.yaml", "stata_basement/stata_basement.yaml", "nav2/warehouse.yaml"}) {
     SCOPED_TRACE(name);
     Scenario s;
-    s.map = read_map(folder / name).value();
+    s.map = read_map(*folder / name).value();
     s.clearance = 0.05;
     const World world{s.map};
     World built = world;

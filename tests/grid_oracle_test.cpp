@@ -7,6 +7,7 @@
 
 #include "bench/yardstick/plain_grid.hpp"
 #include "tests/oracle/movingai_problems.hpp"
+#include "tests/outside_data.hpp"
 #include "waywright/core/random.hpp"
 #include "waywright/io/map_io.hpp"
 #include "waywright/planner/grid/grid_search.hpp"
@@ -16,17 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string data_folder() {
-  const char* given = std::getenv("WAYWRIGHT_TEST_DATA");
-  return given != nullptr ? given : std::string{WAYWRIGHT_SOURCE_DIR} + "/../shared/data";
-}
-
 /// Every `stride`-th problem of every file.
 void published_optima(std::size_t stride) {
-  const fs::path folder = fs::path{data_folder()} / "movingai";
-  if (!fs::is_directory(folder)) GTEST_SKIP() << "no outside data at " << folder << " (WAYWRIGHT_TEST_DATA)";
+  const auto folder = test::outside_data("movingai");
+  if (!folder) GTEST_SKIP() << test::no_outside_data;
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator{folder}) {
+  for (const auto& entry : fs::directory_iterator{*folder}) {
     if (entry.path().extension() == ".scen") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <thread>
 
 #include "tests/grid_scenarios.hpp"
+#include "tests/outside_data.hpp"
 #include "waywright/core/random.hpp"
 #include "waywright/io/map_io.hpp"
 #include "waywright/io/plan_io.hpp"
@@ -131,14 +131,13 @@ TEST(GridPlanner, PlansOnTheMapsOwnCellsWhereverTheyLie) {
 
 // Real maps, read in place: halls with ragged walls, unknown cells, rotated origins.
 TEST(GridPlanner, RealMapsArePlannedOnAndProven) {
-  const char* given = std::getenv("WAYWRIGHT_TEST_DATA");
-  const std::filesystem::path folder = std::filesystem::path{given != nullptr ? given : std::string{WAYWRIGHT_SOURCE_DIR} + "/../shared/data"} / "ros_maps";
-  if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "no outside data at " << folder << " (WAYWRIGHT_TEST_DATA)";
+  const auto folder = test::outside_data("ros_maps");
+  if (!folder) GTEST_SKIP() << test::no_outside_data;
   Random random{12};
   for (const char* name : {"nav2/depot.yaml", "ipa_factory/map.yaml", "aws_hospital/hospital.yaml", "stata_basement/stata_basement.yaml", "nav2/warehouse.yaml"}) {
     SCOPED_TRACE(name);
     Scenario s;
-    s.map = read_map(folder / name).value();
+    s.map = read_map(*folder / name).value();
     s.vehicle.drive = Differential{0.4};
     s.clearance = 0.05;
     const World world{s.map};

@@ -247,6 +247,8 @@ TEST_F(MissionOnTheCommandLine, WhatIsWrongIsOneSentence) {
       {[](auto& s) { s["legs"][2]["planner"] = {{"name", "astar"}}; }, "s.json: legs[2].planner.name: astar does not plan through waypoints"},
       {[](auto& s) { s["legs"][2]["planner"] = {{"name", "astar"}}, s["legs"][2].erase("waypoints"); },
        "s.json: legs[2].planner.name: astar plans straight lines with turns on the spot, which a tricycle cannot drive (allowed: pattern_docking, "},
+      {[](auto& s) { s["legs"][2]["planner"] = {{"name", "ompl_rrt_connect"}, {"space", "plane"}}, s["legs"][2].erase("waypoints"); },
+       "s.json: legs[2].planner.space: in the space \"plane\" ompl_rrt_connect plans straight lines with turns on the spot, which a tricycle cannot drive (allowed: reeds_shepp, dubins)"},
       {[](auto& s) { s["legs"][2]["goal"] = {28.2, 7.9}, s["legs"][2].erase("waypoints"); }, "s.json: legs[2].goal: it leaves the heading free, which planners take for vehicles that turn"},
       {[](auto& s) { s["legs"][2]["planner"] = {{"name", "waypoint_clothoid"}, {"samples", -1}}; }, "s.json: legs[2].planner.samples: -1 is out of range"},
       {[](auto& s) { s["budget"] = {{"expansions", 5}}; }, "s.json: budget.expansions: leg 1 of 3 (parking → goods): pattern_docking counts no expansions"},

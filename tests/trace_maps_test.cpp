@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include "tests/command_line.hpp"
+#include "tests/outside_data.hpp"
 #include "waywright/io/map_io.hpp"
 #include "waywright/io/plan_io.hpp"
 #include "waywright/io/scenario_io.hpp"
@@ -96,11 +96,11 @@ void expect_traced(const CellGrid& grid, double tolerance) {
 }
 
 TEST(TracedMaps, RealMapsAreHeldWithinTheTolerance) {
-  const char* data = std::getenv("WAYWRIGHT_TEST_DATA");
-  if (data == nullptr || !std::filesystem::exists(std::filesystem::path{data} / "ros_maps")) GTEST_SKIP() << "no outside data (WAYWRIGHT_TEST_DATA)";
+  const auto folder = test::outside_data("ros_maps");
+  if (!folder) GTEST_SKIP() << test::no_outside_data;
   for (const char* name : {"aulario/map.yaml", "aws_hospital/hospital.yaml", "ipa_factory/map.yaml", "levine/levine.yaml", "nav2/depot.yaml", "nav2/tb3_sandbox.yaml", "nav2/warehouse.yaml"}) {
     SCOPED_TRACE(name);
-    const auto loaded = load_ros_map(std::filesystem::path{data} / "ros_maps" / name, false);
+    const auto loaded = load_ros_map(*folder / name, false);
     ASSERT_TRUE(loaded) << loaded.error().message();
     expect_traced(loaded->grid, 2.0 * loaded->grid.cell);
     expect_traced(loaded->grid, 5.0 * loaded->grid.cell);

@@ -8,7 +8,7 @@ namespace waywright {
 namespace {
 
 /// Shares of the way that are within `reach` of the segment from a to b, which are one interval; false where there are none.
-bool near_edge(Vec2 from, Vec2 way, Vec2 a, Vec2 b, double reach, Stretch& near) {
+bool near_edge(Vec2 from, Vec2 way, Vec2 a, Vec2 b, double reach, WayPart& near) {
   near = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   const double squared = squared_norm(way);
   const auto take = [&](double low, double high) {
@@ -47,20 +47,20 @@ bool near_edge(Vec2 from, Vec2 way, Vec2 a, Vec2 b, double reach, Stretch& near)
 
 }  // namespace
 
-std::vector<Stretch> stretches_deeper_than(const Ring& ring, double depth, Vec2 from, Vec2 to) {
+std::vector<WayPart> stretches_deeper_than(const Ring& ring, double depth, Vec2 from, Vec2 to) {
   const Vec2 way = to - from;
-  if (squared_norm(way) == 0.0) return depth_in(ring, from) > depth ? std::vector<Stretch>{{0.0, 1.0}} : std::vector<Stretch>{};
-  std::vector<Stretch> near;
-  Stretch one;
+  if (squared_norm(way) == 0.0) return depth_in(ring, from) > depth ? std::vector<WayPart>{{0.0, 1.0}} : std::vector<WayPart>{};
+  std::vector<WayPart> near;
+  WayPart one;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (near_edge(from, way, ring[i], ring[(i + 1) % ring.size()], depth, one)) near.push_back(one);
   }
-  std::sort(near.begin(), near.end(), [](const Stretch& a, const Stretch& b) { return a.begin < b.begin; });
+  std::sort(near.begin(), near.end(), [](const WayPart& a, const WayPart& b) { return a.begin < b.begin; });
   near.push_back({1.0, 1.0});
   // What is left between them is wholly inside or wholly outside.
-  std::vector<Stretch> deep;
+  std::vector<WayPart> deep;
   double reached = 0.0;
-  for (const Stretch& n : near) {
+  for (const WayPart& n : near) {
     if (n.begin > reached && contains(ring, from + 0.5 * (reached + n.begin) * way)) deep.push_back({reached, n.begin});
     reached = std::max(reached, n.end);
   }

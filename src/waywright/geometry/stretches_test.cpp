@@ -32,7 +32,7 @@ TEST(Stretches, HoldThePointsThatAreDeepEnough) {
       const double share = k / 200.0;
       const double deep = depth_in(ring, from + share * (to - from));
       if (std::abs(deep - depth) < 1e-9) continue;
-      const bool is_in = std::any_of(found.begin(), found.end(), [&](const Stretch& s) { return share >= s.begin && share <= s.end; });
+      const bool is_in = std::any_of(found.begin(), found.end(), [&](const WayPart& s) { return share >= s.begin && share <= s.end; });
       ASSERT_EQ(is_in, deep > depth) << i << " at " << share;
       ++(is_in ? inside : outside);
     }

@@ -232,7 +232,7 @@ TEST(BadPlan, EveryFieldIsRefusedWithItsSentence) {
       {"/path/pieces/0/direction", R"(2)", R"(path.pieces[0].direction: 2 is out of range (allowed: -1 to 1))"},
       {"/path/pieces/0/direction", R"(0.5)", R"(path.pieces[0].direction: 0.5 is not a whole number (allowed: a whole number))"},
       {"/path/pieces/0/to", R"([1])", R"(path.pieces[0].to: it has 1 element (allowed: [x, y]))"},
-      {"/path/pieces/0/curvature", R"(0)", R"(path.pieces[0].curvature: unknown field (allowed: kind, direction, from, to))"},
+      {"/path/pieces/0/curvature", R"(0)", R"(path.pieces[0].curvature: unknown field (allowed: kind, direction, from, to, heading))"},
       {"/path/pieces/1/start", R"([0,0])", R"(path.pieces[1].start: it has 2 elements (allowed: [x, y, course]))"},
       {"/path/pieces/1/length", R"(0)", R"(path.pieces[1].length: 0 is out of range (allowed: above 0, at most 10000000))"},
       {"/path/pieces/1/curvature", R"(1e9)", R"(path.pieces[1].curvature: 1000000000 is out of range (allowed: -1000000 to 1000000))"},

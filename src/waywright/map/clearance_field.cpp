@@ -1,4 +1,5 @@
 #include "waywright/map/clearance_field.hpp"
+#include "waywright/map/distance_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,6 @@ namespace {
 
 constexpr int large_side = 32;  // cells
 constexpr int small_side = 8;
-constexpr double half_diagonal = 0.70711;
 
 /// A little less, so that rounding to single precision and of the index never makes it too much.
 float rounded_down(double value) { return static_cast<float>(std::max(0.0, value - 4e-7 * value - 1e-6)); }
@@ -92,7 +92,7 @@ void ClearanceField::fill_block(const World& world, int column, int row, double 
       if (near.squared_distance(block.middle) <= reach * reach) near_.push_back(near);
     });
   }
-  const double cell_radius = half_diagonal * cell_;
+  const double cell_radius = half_cell_diagonal * cell_;
   for (int r = row; r < block.last_row; ++r) {
     for (int c = column; c < block.last_column; ++c) {
       const Vec2 at = origin_ + cell_ * Vec2{c + 0.5, r + 0.5};

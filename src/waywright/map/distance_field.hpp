@@ -28,6 +28,9 @@ struct Cell {
   friend constexpr bool operator==(Cell, Cell) = default;
 };
 
+/// From a cell's middle to its corners, in cells, rounded up.
+inline constexpr double half_cell_diagonal = 0.7071067811866;
+
 class DistanceField {
  public:
   static constexpr int longest_side = 16384;                                            ///< cells: distances along a column fit 16 bits

@@ -108,6 +108,12 @@ Parsed<void> check_mission(const std::string& planner, const Scenario& scenario)
   }
   if (!passes(*description)) return refuse("does not plan through waypoints", able(passes));
   if (!ends(*description)) return refuse("plans to a goal pose, and this goal leaves the heading free", able(ends));
+  if (const auto space = scenario.planner.parameters.find("space"); scenario.planner.name == planner && space != scenario.planner.parameters.end() && !scenario.vehicle.can_turn_on_the_spot()) {
+    const auto* word = std::get_if<std::string>(&space->second);
+    if (word != nullptr && (*word == "plane" || *word == "turns")) {
+      return tl::unexpected{InputError{"", "planner.space", fmt::format("in the space \"{}\" {} plans straight lines with turns on the spot, which a tricycle cannot drive", *word, planner), "reeds_shepp, dubins"}};
+    }
+  }
   if (!drives(*description)) {
     return refuse("plans straight lines with turns on the spot, which a tricycle cannot drive", able([&](const PlannerDescription& p) { return drives(p) && passes(p) && ends(p); }));
   }

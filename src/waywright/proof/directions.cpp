@@ -69,7 +69,7 @@ class Direction {
     }
     bool goes_on = was_inside;
     was_inside = false;
-    for (const Stretch& stretch : stretches_deeper_than(zone_.area, zone_depth, from, from + way)) {
+    for (const WayPart& stretch : stretches_deeper_than(zone_.area, zone_depth, from, from + way)) {
       if (stretch.begin > 0.0 || !goes_on) farthest = progress(stretch.begin);
       farthest = std::max(farthest, progress(stretch.begin));
       if (const double back = farthest - progress(stretch.end); back > retreat_allowed) {

@@ -32,7 +32,7 @@ std::string mark(const LegendEntry& entry, double x, double y) {
 
 double width_of(const LegendEntry& entry) {
   return (entry.shape == LegendEntry::Shape::none ? 14.0 : 42.0) +
-         6.4 * static_cast<double>(entry.text.size());
+         6.9 * static_cast<double>(entry.text.size());
 }
 
 constexpr double letter = 7.8;  // px, of the overlay's legend, at least as wide as the text comes out

@@ -14,12 +14,6 @@ constexpr int most_straight_steps = 300;
 
 bool is_middle(const GridFrame& frame, Cell c, Vec2 at) { return frame.contains(c) && distance(frame.centre(c), at) <= same_place; }
 
-Cell cell_of(const GridFrame& frame, Vec2 at) {
-  const Vec2 p = frame.in_cells(at);
-  constexpr double far = 1e9;
-  return {static_cast<int>(std::floor(std::clamp(p.x, -far, far))), static_cast<int>(std::floor(std::clamp(p.y, -far, far)))};
-}
-
 /// The 2k × 2k cells whose middles lie around a place, row by row.
 std::vector<Cell> around(const GridFrame& frame, Vec2 at, int k) {
   const Vec2 p = frame.in_cells(at) - Vec2{0.5, 0.5};  // middles have whole numbers
@@ -50,7 +44,7 @@ class Connector {
   void from(const Pose& base, const std::vector<Action>& before, double cost) {
     const GridFrame& frame = space_.frame();
     if (!is_near(frame, base.position())) return;
-    if (const Cell c = cell_of(frame, base.position()); is_middle(frame, c, base.position())) return turn_at(c, base.heading, before, cost);
+    if (const Cell c = frame.cell_at(base.position()); is_middle(frame, c, base.position())) return turn_at(c, base.heading, before, cost);
     for (int k = 1; k <= widest && found_.empty(); ++k) {
       for (const Cell c : around(frame, base.position(), k)) drive_to(c, base, before, cost);
     }
@@ -59,7 +53,7 @@ class Connector {
   void from_anywhere_facing(Vec2 at) {
     const GridFrame& frame = space_.frame();
     if (!is_near(frame, at)) return;
-    if (const Cell c = cell_of(frame, at); is_middle(frame, c, at)) {
+    if (const Cell c = frame.cell_at(at); is_middle(frame, c, at)) {
       for (int h = 0; h < space_.headings(); ++h) found_.push_back({{c, h}, 0.0, {}});
       return;
     }
@@ -143,7 +137,7 @@ void turn_round(HeadingConnection& connection, Vec2 pose) {
 
 std::vector<DiscConnection> disc_connections(const Problem& problem, const GridFrame& frame, Vec2 at, bool is_start, MotionCheck& test) {
   if (!is_near(frame, at)) return {};
-  if (const Cell c = cell_of(frame, at); is_middle(frame, c, at)) return {{c, 0.0}};
+  if (const Cell c = frame.cell_at(at); is_middle(frame, c, at)) return {{c, 0.0}};
   const double margin = connecting_margin(problem);
   const ZoneRules& zones = problem.zones_as_planned();
   std::vector<DiscConnection> found;

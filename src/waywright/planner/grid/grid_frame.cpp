@@ -12,7 +12,6 @@ namespace {
 
 constexpr double usual_cell = 0.05;               // m
 constexpr double usual_cells = 4e6;               // where nobody asks for a resolution
-constexpr double half_diagonal = 0.7071067811866;  // of a cell, rounded up
 constexpr double touch = 1e-6;                    // cells: an edge on the border of a cell is taken as in both
 constexpr double rounding = 1e-7;                 // m, of coordinates up to 1e6 m after turning and shifting
 
@@ -106,8 +105,8 @@ CellBounds::CellBounds(const Problem& problem, const GridFrame& frame) : cell_{f
     mark_insides(problem, frame);
   }
   // A blocked cell is all obstacle: from its middle to the obstacle's nearest point it is half a cell at least. A marked one holds some part of one.
-  low_ = -half_diagonal;
-  high_ = is_cells_alone_ ? -0.5 : half_diagonal;
+  low_ = -half_cell_diagonal;
+  high_ = is_cells_alone_ ? -0.5 : half_cell_diagonal;
   field_.assign(frame.columns, frame.rows, occupied_, frame.is_native);
 }
 

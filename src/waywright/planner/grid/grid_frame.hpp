@@ -1,6 +1,8 @@
 // Where the cells of a grid planner lie in the world, and what is known of each from a distance transform.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -25,6 +27,12 @@ struct GridFrame {
   Vec2 in_cells(Vec2 world) const {
     const Vec2 local = frame.to_local(world);
     return {local.x / cell, rows - local.y / cell};
+  }
+  /// The cell that a place lies in; it may be none of the grid's.
+  Cell cell_at(Vec2 world) const {
+    const Vec2 p = in_cells(world);
+    constexpr double far = 1e9;
+    return {static_cast<int>(std::floor(std::clamp(p.x, -far, far))), static_cast<int>(std::floor(std::clamp(p.y, -far, far)))};
   }
   bool contains(Cell c) const { return c.column >= 0 && c.row >= 0 && c.column < columns && c.row < rows; }
 };

@@ -14,10 +14,11 @@
 #include "waywright/planner/grid/search_pool.hpp"
 #include "waywright/planner/grid/sight.hpp"
 #include "waywright/planner/grid/theta_search.hpp"
+#include "waywright/planner/grid/way_to_goal.hpp"
 
 namespace waywright {
 
-using grid::counted, grid::failure, grid::nothing_found, grid::of_neighbours, grid::place, grid::zone_sentence, grid::is_plain_line;
+using grid::counted, grid::disc_sentence, grid::failure, grid::is_plain_line, grid::length_sentence, grid::not_connected, grid::nothing_found, grid::of_neighbours, grid::way_to_goal, grid::zone_sentence;
 
 /// What is known of one problem.
 class GridPlanner::Ready {
@@ -96,16 +97,6 @@ class GridPlanner::Ready {
     return path_of(start, {{Action::Kind::turn, first, {}, 1}, {Action::Kind::drive, 0.0, goal.position(), 1}, {Action::Kind::turn, last, {}, 1}}, goal);
   }
 
-  PlanningFailure not_connected(bool is_start) const {
-    const Pose& pose = is_start ? problem_.start() : problem_.goal();
-    if (const FreeGoal* free = problem_.free_goal(); !is_start && free != nullptr && !free->is_point())
-      return failure(Status::no_path, fmt::format("no cell of {:g} m has its middle in the goal's region; try a finer resolution", frame_.cell), pose);
-    return failure(Status::no_path,
-                   fmt::format("{} the {} at {} no straight drive {} the middle of a cell of {:g} m around it; try a finer resolution", is_start ? "from" : "to", is_start ? "start" : "goal",
-                               place(pose.position()), is_start ? "leads to" : "leads from", frame_.cell),
-                   pose);
-  }
-
   PlanningResult plan_disc(const GridPlannerOptions& options, Budget& budget, MotionCheck& test) const {
     const Pose& start = problem_.start();
     const Pose& goal = problem_.goal();
@@ -117,7 +108,7 @@ class GridPlanner::Ready {
     } else {
       for (const DiscConnection& c : disc_connections(problem_, frame_, goal.position(), false, test)) query.goals.push_back({c.cell, c.cost / frame_.cell});
     }
-    if (query.starts.empty() || query.goals.empty()) return tl::unexpected{not_connected(query.starts.empty())};
+    if (query.starts.empty() || query.goals.empty()) return tl::unexpected{not_connected(problem_, frame_, query.starts.empty())};
     query.heuristic = options.heuristic;
     query.expansions = budget.limits().expansions;
     query.budget = &budget;
@@ -137,7 +128,7 @@ class GridPlanner::Ready {
     if (options.any_angle) return plan_any_angle(options, query, answer, budget);
     std::vector<Action> actions{{Action::Kind::drive, 0.0, frame_.centre(answer.cells.front()), 1}};
     for (const Action& a : drives_along(frame_, answer.cells)) actions.push_back(a);
-    return explained(to_goal(actions), options, answer.expansions, answer.cost * frame_.cell);
+    return explained(way_to_goal(problem_, actions), options, answer.expansions, answer.cost * frame_.cell);
   }
 
   /// Lazy Theta*, and the grid's way pulled taut: the shorter of the two, so never longer than what `astar` finds.
@@ -166,14 +157,14 @@ class GridPlanner::Ready {
     const std::vector<Vec2>& points = metres(from_theta) <= metres(from_grid) ? from_theta : from_grid;
     std::vector<Action> actions;
     for (std::size_t i = 1; i < points.size(); ++i) actions.push_back({Action::Kind::drive, 0.0, points[i], 1});
-    Planned planned = explained(to_goal(actions), options, budget.expansions(), of_grid);
+    Planned planned = explained(way_to_goal(problem_, actions), options, budget.expansions(), of_grid);
     planned.explanation.front() =
         fmt::format("A way at any angle over {} x {} cells of {:g} m{}: {:.3f} m with lazy Theta*, {:.3f} m where the {} way over the cells, {:.3f} m, is pulled taut; the {} is taken. "
                     "{} in both searches.",
                     frame_.columns, frame_.rows, frame_.cell, is_weighed() ? ", as zones weigh it" : "", metres(from_theta), metres(from_grid), is_weighed() ? "least costly" : "shortest", of_grid,
                     is_weighed() ? "cheaper" : "shorter", counted(budget.expansions(), "expansion"));
     if (!problem_.footprint().is_disc()) {
-      planned.explanation.push_back(fmt::format("It was searched for the disc around the footprint, {:.3f} m, which can turn wherever it can stand; astar finds narrower ways.", footprint_.disc));
+      planned.explanation.push_back(disc_sentence(footprint_.disc));
     }
     return planned;
   }
@@ -181,7 +172,7 @@ class GridPlanner::Ready {
   PlanningResult plan_headings(const GridPlannerOptions& options, Budget& budget, MotionCheck& test) const {
     const auto from = heading_connections(problem_, *headings_, problem_.start(), true, test);
     const auto to = problem_.free_goal() != nullptr ? free_connections(problem_, *headings_, test) : heading_connections(problem_, *headings_, problem_.goal(), false, test);
-    if (from.empty() || to.empty()) return tl::unexpected{not_connected(from.empty())};
+    if (from.empty() || to.empty()) return tl::unexpected{not_connected(problem_, frame_, from.empty())};
     std::vector<HeadingEnd> starts, goals;
     for (const HeadingConnection& c : from) starts.push_back({c.state, c.cost});
     for (const HeadingConnection& c : to) goals.push_back({c.state, c.cost});
@@ -201,21 +192,11 @@ class GridPlanner::Ready {
     std::vector<Action> actions = of(from, answer.first);
     for (const Action& a : actions_along(*headings_, answer)) actions.push_back(a);
     for (const Action& a : of(to, answer.last)) actions.push_back(a);
-    return explained(to_goal(actions), options, answer.expansions, answer.cost);
-  }
-
-  /// Into the goal's pose, or where its heading is free, to it.
-  Path to_goal(std::vector<Action> actions) const {
-    const FreeGoal* free = problem_.free_goal();
-    if (free == nullptr) return path_of(problem_.start(), actions, problem_.goal());
-    if (free->is_point()) actions.push_back({Action::Kind::drive, 0.0, problem_.goal().position(), 1});  // of a footprint with a shape it is there already
-    return path_along(problem_.start(), actions);
+    return explained(way_to_goal(problem_, actions), options, answer.expansions, answer.cost);
   }
 
   Planned explained(Path path, const GridPlannerOptions& options, std::int64_t expansions, std::optional<double> cost) const {
     Planned planned;
-    const double metres = length(path), straight = least_way(problem_);
-    const Turning turning = turning_of(path);
     std::vector<std::string>& text = planned.explanation;
     if (cost) {
       const bool is_least = never_too_much(options.heuristic, options.neighbours);
@@ -232,8 +213,7 @@ class GridPlanner::Ready {
     } else {
       text.push_back(fmt::format("Start and goal are within two cells of {:g} m: the way is straight, without a search.", frame_.cell));
     }
-    text.push_back(fmt::format("It is {:.3f} m long, the straight line from start to goal {:.3f} m, less than which no way can be; it turns on the spot {}, {:.1f}° in all.", metres, straight,
-                               turning.turns == 1 ? std::string{"once"} : fmt::format("{} times", turning.turns), turning.angle * 180.0 / pi));
+    text.push_back(length_sentence(problem_, path));
     text.push_back(fmt::format("Each move was tested against the exact outlines, with {:.1f} mm to spare beyond the {:.4f} m that are required; the cells cost no clearance, but ways that "
                                "lead between their middles are not seen: a passage has to be up to a cell, {:g} m, wider than what just fits.",
                                (lattice_margin(problem_) - problem_.required_clearance()) * 1e3, problem_.required_clearance(), frame_.cell));

@@ -14,6 +14,7 @@
 #include "waywright/planner/grid/grid_words.hpp"
 #include "waywright/planner/grid/search_pool.hpp"
 #include "waywright/planner/grid/sight.hpp"
+#include "waywright/planner/grid/way_to_goal.hpp"
 
 namespace waywright {
 
@@ -104,7 +105,7 @@ class SafePlanner::Ready {
     return options_.method == PublishedMethod::boundary ? Neighbours::sixteen : options_.method == PublishedMethod::line ? Neighbours::eight : options_.neighbours;
   }
 
-  Cell cell_of(Vec2 world) const { return cell_at(on_cells(world)); }
+  Cell cell_of(Vec2 world) const { return frame_.cell_at(world); }
   Vec2 on_cells(Vec2 world) const { return frame_.in_cells(world) - Vec2{0.5, 0.5}; }
   Vec2 in_world(Vec2 cells) const { return frame_.frame.to_world(Vec2{(cells.x + 0.5) * frame_.cell, (frame_.rows - cells.y - 0.5) * frame_.cell}); }
 
@@ -148,14 +149,8 @@ class SafePlanner::Ready {
   }
 
   PlanningFailure not_connected(bool is_start) const {
-    const Pose& pose = is_start ? problem_.start() : problem_.goal();
-    if (const FreeGoal* free = problem_.free_goal(); !is_start && free != nullptr && !free->is_point())
-      return failure(Status::no_path, fmt::format("no cell of {:g} m has its middle in the goal's region; try a finer resolution", frame_.cell), pose);
-    const std::string of_what = problem_.footprint().is_disc() ? "" : fmt::format(" for the disc of {:.3f} m around the footprint, which is what is searched (astar asks the footprint itself)", disc_.disc);
-    return failure(Status::no_path,
-                   fmt::format("{} the {} at {} no straight drive {} the middle of a cell of {:g} m around it{}; try a finer resolution", is_start ? "from" : "to", is_start ? "start" : "goal",
-                               place(pose.position()), is_start ? "leads to" : "leads from", frame_.cell, of_what),
-                   pose);
+    return grid::not_connected(problem_, frame_, is_start,
+                               problem_.footprint().is_disc() ? "" : fmt::format(" for the disc of {:.3f} m around the footprint, which is what is searched (astar asks the footprint itself)", disc_.disc));
   }
 
   /// Straight parts go against no direction and through no penalty: there it is searched. The published form knows no zones but forbidden ones.
@@ -300,26 +295,16 @@ class SafePlanner::Ready {
     return planned;
   }
 
-  Path to_goal(std::vector<Action> actions) const {
-    const FreeGoal* free = problem_.free_goal();
-    if (free == nullptr) return path_of(problem_.start(), actions, problem_.goal());
-    if (free->is_point()) actions.push_back(drive(problem_.goal().position()));
-    return path_along(problem_.start(), actions);
-  }
-
   Planned explained(const std::vector<Action>& actions, std::string how) const {
     Planned planned;
-    planned.path = to_goal(actions);
-    const Turning turning = turning_of(planned.path);
+    planned.path = grid::way_to_goal(problem_, actions);
     planned.explanation.push_back(std::move(how));
     if (options_.method == PublishedMethod::boundary && options_.regularise) {
       planned.explanation.push_back("Rectangles stood in place of obstacles that are not convex while it was searched, except where start or goal would be in one.");
     }
-    planned.explanation.push_back(fmt::format("It is {:.3f} m long, the straight line from start to goal {:.3f} m, less than which no way can be; it turns on the spot {}, {:.1f}° in all.",
-                                              length(planned.path), least_way(problem_),
-                                              turning.turns == 1 ? std::string{"once"} : fmt::format("{} times", turning.turns), turning.angle * 180.0 / pi));
+    planned.explanation.push_back(grid::length_sentence(problem_, planned.path));
     if (!problem_.footprint().is_disc()) {
-      planned.explanation.push_back(fmt::format("It was searched for the disc around the footprint, {:.3f} m, which can turn wherever it can stand; astar finds narrower ways.", disc_.disc));
+      planned.explanation.push_back(grid::disc_sentence(disc_.disc));
     }
     if (!options_.is_published) {
       if (std::string sentence = grid::zone_sentence(problem_, planned.path); !sentence.empty()) {

@@ -12,8 +12,7 @@ bool Sight::is_free(Vec2 from, Vec2 to, double margin) const {
   const Vec2 way = whole > 0.0 ? (1.0 / whole) * (to - from) : Vec2{};
   for (double s = 0.0;;) {
     const Vec2 at = from + s * way;
-    const Vec2 p = frame_.in_cells(at);
-    const Cell c{static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))};
+    const Cell c = frame_.cell_at(at);
     if (!frame_.contains(c)) break;
     const double off = distance(at, frame_.centre(c));
     if (bounds_.at_most(c) + off <= needed) return false;

@@ -7,14 +7,12 @@
 #include "waywright/core/elementary.hpp"
 #include "waywright/geometry/polygon.hpp"
 #include "waywright/map/clearance_along.hpp"
+#include "waywright/metrics/grid_metrics.hpp"
 
 namespace waywright {
 namespace {
 
-constexpr double risk_scale = 2.0;  // q, m
 constexpr double greatest_weight = 100.0;
-
-double risk_of(double d) { return exponential(-0.5 * d / risk_scale); }
 
 double weight_of(double least_length, double extremum) {
   return extremum * greatest_weight > least_length ? least_length / extremum : greatest_weight;
@@ -51,7 +49,7 @@ double SplineMeasurer::risk_at(Vec2 p) const {
     const std::size_t n = outline.points.size(), edges = outline.is_closed ? n : n - 1;
     double least = n == 1 ? distance(p, outline.points[0]) : std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < edges; ++i) least = std::min(least, point_segment_distance(p, outline.points[i], outline.points[(i + 1) % n]));
-    if (least <= within_) risk += risk_of(least);
+    risk += risk_of(least, {.reach = within_});
   }
   for (const CellGrid& grid : problem_.world().map().grids) {
     const Vec2 local = Frame{grid.origin}.to_local(p);
@@ -63,7 +61,7 @@ double SplineMeasurer::risk_at(Vec2 p) const {
       for (int c = low(column - reach); c <= high(column + reach, grid.columns); ++c) {
         if (!grid.is_blocked(c, r)) continue;
         const double d2 = (c - column) * (c - column) + (r - row) * (r - row);
-        if (d2 <= reach * reach) risk += risk_of(grid.cell * std::sqrt(d2));
+        risk += risk_of(grid.cell * std::sqrt(d2), {.reach = within_});
       }
     }
   }
@@ -84,8 +82,8 @@ SplineMeasures SplineMeasurer::measure(std::span<const Pose> poses) const {
     if (before != Vec2{}) m.turning += std::abs(arc_tangent(cross(before, step), dot(before, step)));
     before = step;
   }
-  m.time = m.length / problem_.vehicle().limits.speed;
-  m.energy = 100.0 * (1.0 - (m.length / 1000.0 + m.turning / (200.0 * pi)));
+  m.time = way_time(m.length, problem_.vehicle().limits.speed);
+  m.energy = residual_power(m.length, m.turning);
   return m;
 }
 

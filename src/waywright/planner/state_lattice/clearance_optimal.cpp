@@ -106,7 +106,7 @@ class ClearanceOptimalPlanner::Ready {
     if (problem_.zones().weighs()) text.push_back("A metre in preferred and penalty zones costs its factor times that.");
     if (problem_.zones().directs()) text.push_back("No motion goes against the direction of a zone.");
     Alternative lattice{"best way over the lattice", !options.smooth, of_lattice, fmt::format("Costs {:.4f} m and is bound to the lattice's cells and headings.", of_lattice), {}, {}};
-    for (const Stretch& s : answer.stretches) {
+    for (const LatticeStretch& s : answer.stretches) {
       std::vector<SteppedPose> poses;
       sample_stretch(s, 0.1, look_angle, poses);
       for (const SteppedPose& p : poses) lattice.poses.push_back(p.pose);

@@ -24,7 +24,7 @@ MotionCost::MotionCost(const Problem& problem, const DangerCosts& costs, double 
   memory_.reserve(body_);
 }
 
-std::vector<CostedPose> MotionCost::poses_of(const Stretch& stretch, double step) const {
+std::vector<CostedPose> MotionCost::poses_of(const LatticeStretch& stretch, double step) const {
   std::vector<SteppedPose> stepped;
   sample_stretch(stretch, step, zones_.directs() ? angle_in_zones : look_angle, stepped);
   const double each = costs_.each(stretch.direction);
@@ -54,12 +54,12 @@ std::optional<double> MotionCost::zone_factor(const CostedPose& from, const Cost
   return chord > 0.0 ? zones_.cost(a, b) / chord : zones_.factor_at(a);
 }
 
-std::optional<double> MotionCost::of(const Stretch& stretch, double step) {
+std::optional<double> MotionCost::of(const LatticeStretch& stretch, double step) {
   const std::vector<CostedPose> poses = poses_of(stretch, step);
   return of(poses, Vec2{}, [&] { return is_free(stretch); });
 }
 
-bool MotionCost::is_free(const Stretch& stretch) {
+bool MotionCost::is_free(const LatticeStretch& stretch) {
   motion_.assign(path_of({stretch}));
   SweepOptions options;
   options.tolerance = 0.5 * ProofOptions{}.tolerance;

@@ -27,7 +27,7 @@ struct DangerCosts {
 
   double each(int direction) const { return direction < 0 ? reverse : forward; }
   /// What a stretch counts as where nothing is near, m.
-  double metres_of(const Stretch& stretch) const {
+  double metres_of(const LatticeStretch& stretch) const {
     return stretch.direction == 0 ? turn * std::abs(stretch.turn.angle) : each(stretch.direction) * (length_of(stretch) + bend * bend_of(stretch));
   }
   /// Of a metre. @param beyond what is required, m
@@ -64,10 +64,10 @@ class MotionCost {
   /// m, a clearance from which on nothing costs more
   double no_danger_from() const { return std::max(margin_, required_ + costs_.range); }
 
-  std::vector<CostedPose> poses_of(const Stretch& stretch, double step) const;
+  std::vector<CostedPose> poses_of(const LatticeStretch& stretch, double step) const;
 
   /// Of a stretch it is no less than this, m.
-  double at_least(const Stretch& stretch) const { return stretch.direction == 0 ? costs_.metres_of(stretch) : least_factor() * costs_.metres_of(stretch); }
+  double at_least(const LatticeStretch& stretch) const { return stretch.direction == 0 ? costs_.metres_of(stretch) : least_factor() * costs_.metres_of(stretch); }
   /// A metre in any zone counts as no less.
   double least_factor() const { return std::min(1.0, zones_.least_factor()); }
   /// Zones that weigh ways, or tell their direction.
@@ -104,9 +104,9 @@ class MotionCost {
     return sum;
   }
   /// Of a stretch in the world, with poses at most `step` m apart.
-  std::optional<double> of(const Stretch& stretch, double step);
+  std::optional<double> of(const LatticeStretch& stretch, double step);
   /// Proven with the motion's own bounds.
-  bool is_free(const Stretch& stretch);
+  bool is_free(const LatticeStretch& stretch);
 
  private:
   /// What the way between two poses counts more or less; empty where it goes against a zone's direction.

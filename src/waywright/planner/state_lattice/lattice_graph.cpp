@@ -16,7 +16,6 @@ constexpr double cells_a_radius = 8.0;
 constexpr double finest = 0.1, coarsest = 0.5;  // m, of cells that nobody asked for
 constexpr double rounded_to = 0.05;                // m
 constexpr double usual_cells = 120'000;          // where nobody asks
-constexpr double half_diagonal = 0.7071067811866;
 constexpr double most_bent = 0.6;                // rad, of a motion into the goal: how far the chord leaves that of an arc
 constexpr std::size_t most_a_heading = 16;       // motions into the goal from states of one heading and direction, the shortest
 constexpr double least_cell = 0.01;              // m
@@ -105,7 +104,7 @@ bool LatticeGraph::set_extent(const Problem& problem) {
 
 double LatticeGraph::clearance_at_most(Vec2 place) const {
   const Vec2 at = grid_.in_cells(place);
-  const Cell c{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
+  const Cell c = grid_.cell_at(place);
   // Beyond a grid of the map's own all is blocked; beyond cells that were laid over what can be driven on nothing is known.
   if (!grid_.contains(c)) return grid_.is_native ? std::max(0.0, -inner_radius_) : std::numeric_limits<double>::infinity();
   const double x = at.x - c.column - 0.5, y = at.y - c.row - 0.5;
@@ -119,11 +118,7 @@ void LatticeGraph::bound_clearances() {
 
 /// Where the origin goes on any way that is free, it passes from one cell of the grid to one that touches it, and each holds a place with the clearance that is required.
 void LatticeGraph::look_for_a_way(const Problem& problem) {
-  const auto cell_of = [&](Vec2 p) {
-    const Vec2 at = grid_.in_cells(p);
-    return Cell{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
-  };
-  const Cell from = cell_of(problem.start().position()), to = cell_of(problem.goal().position());
+  const Cell from = grid_.cell_at(problem.start().position()), to = grid_.cell_at(problem.goal().position());
   if (!grid_.contains(from) || !grid_.contains(to)) return;  // on the border, or beyond what is known
   const auto columns = static_cast<std::size_t>(grid_.columns);
   std::vector<std::uint8_t> seen(columns * static_cast<std::size_t>(grid_.rows), 0);
@@ -144,7 +139,7 @@ void LatticeGraph::look_for_a_way(const Problem& problem) {
         }
         if (seen[at(next)] != 0) continue;
         seen[at(next)] = 1;
-        if (bounds_->at_most(next) + half_diagonal * grid_.cell - inner_radius_ >= required_) open.push_back(next);
+        if (bounds_->at_most(next) + half_cell_diagonal * grid_.cell - inner_radius_ >= required_) open.push_back(next);
       }
     }
   }
@@ -152,9 +147,8 @@ void LatticeGraph::look_for_a_way(const Problem& problem) {
 }
 
 double LatticeGraph::distance_at_least(Vec2 point) const {
-  const Vec2 at = grid_.in_cells(point);
-  const Cell c{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
-  return grid_.contains(c) ? bounds_->at_least(c) - half_diagonal * grid_.cell : 0.0;
+  const Cell c = grid_.cell_at(point);
+  return grid_.contains(c) ? bounds_->at_least(c) - half_cell_diagonal * grid_.cell : 0.0;
 }
 
 std::pair<std::size_t, std::size_t> LatticeGraph::goal_motions_of(std::uint32_t cell) const {
@@ -168,16 +162,16 @@ std::optional<std::uint32_t> LatticeGraph::moved(std::uint32_t cell, LatticeStep
   return index(to);
 }
 
-Stretch LatticeGraph::stretch(std::uint32_t cell, const MotionPrimitive& primitive) const {
+LatticeStretch LatticeGraph::stretch(std::uint32_t cell, const MotionPrimitive& primitive) const {
   return placed(primitive.stretch, Frame{make_pose(place(cell), frame_.heading())});
 }
 
 /// Smooth ones within the limits, and for a vehicle that turns on the spot: turn, straight on, turn.
 void LatticeGraph::find_goal_motions(const Problem& problem) {
   const Pose goal = frame_.to_local(problem.goal());
-  const auto add = [&](std::uint32_t cell, int heading, int direction, std::vector<Stretch> stretches) {
+  const auto add = [&](std::uint32_t cell, int heading, int direction, std::vector<LatticeStretch> stretches) {
     GoalMotion m{cell, heading, {}, direction, 0.0};
-    for (const Stretch& s : stretches) {
+    for (const LatticeStretch& s : stretches) {
       m.stretches.push_back(placed(s, frame_));
       m.metres += options_.costs.metres_of(s);
     }
@@ -230,7 +224,7 @@ void LatticeGraph::find_goal_motions(const Problem& problem) {
         ++tries;
         auto curves = fitted_within(make_pose(local(n.cell), lattice_heading(h)), 0.0, make_pose(goal.position(), course), 0.0, limits_);
         if (curves.empty()) continue;
-        add(n.cell, direction > 0 ? h : other_way(h), direction, {Stretch{direction, std::move(curves), {}}});
+        add(n.cell, direction > 0 ? h : other_way(h), direction, {LatticeStretch{direction, std::move(curves), {}}});
         ++found;
       }
     }
@@ -246,9 +240,9 @@ void LatticeGraph::find_goal_motions(const Problem& problem) {
           const double first = wrap(heading - lattice_heading(h)), last = wrap(goal.heading - heading);
           if (std::abs(first) > 0.5 * pi + 1e-9) continue;
           add(n.cell, h, direction,
-              {Stretch{0, {}, Turn{at, lattice_heading(h), first}}, Stretch{direction, {Clothoid{make_pose(at, course), 0.0, 0.0, n.distance}}, {}}, Stretch{0, {}, Turn{goal.position(), heading, last}}});
+              {LatticeStretch{0, {}, Turn{at, lattice_heading(h), first}}, LatticeStretch{direction, {Clothoid{make_pose(at, course), 0.0, 0.0, n.distance}}, {}}, LatticeStretch{0, {}, Turn{goal.position(), heading, last}}});
         }
-        if (n.distance <= same_place) add(n.cell, h, 0, {Stretch{0, {}, Turn{at, lattice_heading(h), wrap(goal.heading - lattice_heading(h))}}});
+        if (n.distance <= same_place) add(n.cell, h, 0, {LatticeStretch{0, {}, Turn{at, lattice_heading(h), wrap(goal.heading - lattice_heading(h))}}});
       }
     }
   }

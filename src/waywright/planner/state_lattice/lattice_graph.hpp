@@ -29,7 +29,7 @@ struct LatticeCell {
 struct GoalMotion {
   std::uint32_t cell = 0;
   int heading = 0;         ///< of the vehicle in the state
-  std::vector<Stretch> stretches;  ///< in the world
+  std::vector<LatticeStretch> stretches;  ///< in the world
   int direction = 1;       ///< it begins with, turns aside
   double metres = 0.0;     ///< what it costs where nothing is near
 };
@@ -58,7 +58,7 @@ class LatticeGraph {
   Vec2 place(std::uint32_t cell) const { return frame_.to_world(local(cell)); }
   Pose pose(std::uint32_t cell, int heading) const { return make_pose(place(cell), wrap(frame_.heading() + lattice_heading(heading))); }
   /// A primitive where it is driven from the cell.
-  Stretch stretch(std::uint32_t cell, const MotionPrimitive& primitive) const;
+  LatticeStretch stretch(std::uint32_t cell, const MotionPrimitive& primitive) const;
 
   /// m, the footprint's clearance is at most this where its origin is in the cell's place, whatever it faces.
   double clearance_at_most(std::uint32_t cell) const { return at_most_[cell]; }

@@ -132,7 +132,7 @@ class Search {
       direction = m.direction;
       double sum = 0.0;
       bool is_free = true;
-      for (const Stretch& s : m.stretches) {
+      for (const LatticeStretch& s : m.stretches) {
         const auto one = cost_.of(s, std::min(0.1, graph_.cell()));
         is_free = one.has_value();
         if (!is_free) break;
@@ -166,7 +166,7 @@ class Search {
     answer_.ended = LatticeAnswer::End::found;
     answer_.cost = last.cost;
     bound(last);
-    std::vector<std::vector<Stretch>> backwards{graph_.goal_motions()[last.motion].stretches};
+    std::vector<std::vector<LatticeStretch>> backwards{graph_.goal_motions()[last.motion].stretches};
     for (std::uint32_t at = last.from; at != start_; at = nodes_.at(at).parent) {
       const Node& node = nodes_.at(at);
       const MotionPrimitive& p = graph_.primitives()[static_cast<std::size_t>(heading_of(node.parent))][node.primitive];

@@ -14,7 +14,7 @@ struct LatticeAnswer {
   End ended = End::exhausted;
   double cost = 0.0;         ///< of the way found
   double lower_bound = 0.0;  ///< no way over the lattice costs less
-  std::vector<Stretch> stretches;  ///< of the way found, in the world
+  std::vector<LatticeStretch> stretches;  ///< of the way found, in the world
   std::int64_t expansions = 0;     ///< states
   std::int64_t motions = 0;        ///< that were evaluated
 };

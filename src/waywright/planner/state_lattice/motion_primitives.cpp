@@ -105,7 +105,7 @@ MotionPrimitives motion_primitives(const PrimitiveOptions& options, const Motion
   MotionPrimitives all;
   const double look = std::min(0.1, options.cell);
   const Frame axes{{0.0, 0.0, options.turn_frame}};
-  const auto add = [&](int heading, LatticeStep step, int to, Stretch stretch) {
+  const auto add = [&](int heading, LatticeStep step, int to, LatticeStretch stretch) {
     MotionPrimitive p;
     p.stretch = std::move(stretch);
     p.step = step;
@@ -119,9 +119,9 @@ MotionPrimitives motion_primitives(const PrimitiveOptions& options, const Motion
     all[static_cast<std::size_t>(heading)].push_back(std::move(p));
   };
   const auto add_both_ways = [&](int course, int to_course, const Found& found) {
-    if (length_of(Stretch{1, found.curves, {}}) > options.longest) return;
-    if (options.may_forward) add(course, found.step, to_course, Stretch{1, found.curves, {}});
-    if (options.may_reverse) add(other_way(course), found.step, other_way(to_course), Stretch{-1, found.curves, {}});
+    if (length_of(LatticeStretch{1, found.curves, {}}) > options.longest) return;
+    if (options.may_forward) add(course, found.step, to_course, LatticeStretch{1, found.curves, {}});
+    if (options.may_reverse) add(other_way(course), found.step, other_way(to_course), LatticeStretch{-1, found.curves, {}});
   };
   for (int from = 0; from < lattice_quarter; ++from) {
     std::vector<std::pair<int, Found>> moves;  // headings turned
@@ -145,7 +145,7 @@ MotionPrimitives motion_primitives(const PrimitiveOptions& options, const Motion
       for (const int side : {1, -1}) {
         const int to = (heading + side + lattice_headings) % lattice_headings;
         const double from = lattice_heading(heading);
-        add(heading, {}, to, Stretch{0, {}, Turn{{0.0, 0.0}, from, wrap(lattice_heading(to) - from)}});
+        add(heading, {}, to, LatticeStretch{0, {}, Turn{{0.0, 0.0}, from, wrap(lattice_heading(to) - from)}});
       }
     }
   }

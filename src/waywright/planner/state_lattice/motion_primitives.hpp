@@ -22,7 +22,7 @@ constexpr int other_way(int heading) { return (heading + lattice_headings / 2) %
 
 /// From a heading, curvature 0, to another, curvature 0.
 struct MotionPrimitive {
-  Stretch stretch;  ///< from (0, 0), in the lattice's frame
+  LatticeStretch stretch;  ///< from (0, 0), in the lattice's frame
   LatticeStep step{};
   int to = 0;              ///< heading of the vehicle
   double metres = 0.0;     ///< what it costs where nothing is near

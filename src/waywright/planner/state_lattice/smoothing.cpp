@@ -34,8 +34,8 @@ class Smoother {
 
   std::int64_t evaluations() const { return evaluations_; }
 
-  std::vector<Stretch> run(const std::vector<Stretch>& way) {
-    std::vector<Stretch> out;
+  std::vector<LatticeStretch> run(const std::vector<LatticeStretch>& way) {
+    std::vector<LatticeStretch> out;
     for (std::size_t i = 0; i < way.size();) {
       if (way[i].direction == 0) {
         out.push_back(way[i++]);
@@ -46,7 +46,7 @@ class Smoother {
       for (; end < way.size() && (way[end].direction == 0 || way[end].direction == way[i].direction); ++end) {
         if (way[end].direction != 0) last = end + 1;
       }
-      for (const Stretch& s : refined(joined(way, i, last))) out.push_back(s);
+      for (const LatticeStretch& s : refined(joined(way, i, last))) out.push_back(s);
       i = last;
     }
     return out;
@@ -54,12 +54,12 @@ class Smoother {
 
  private:
   struct Part {
-    Stretch stretch;
+    LatticeStretch stretch;
     double cost = 0.0;
   };
 
   /// Where it is free and costs less.
-  std::optional<double> evaluated(const Stretch& stretch, double than) {
+  std::optional<double> evaluated(const LatticeStretch& stretch, double than) {
     if (cost_.at_least(stretch) >= than) return std::nullopt;
     ++evaluations_;
     const auto cost = cost_.of(stretch, look_step);
@@ -67,7 +67,7 @@ class Smoother {
   }
 
   /// The way cut at its places.
-  std::vector<Part> cut(const std::vector<Stretch>& way, std::size_t begin, std::size_t end) {
+  std::vector<Part> cut(const std::vector<LatticeStretch>& way, std::size_t begin, std::size_t end) {
     std::vector<Part> parts;
     for (std::size_t i = begin; i < end; ++i) {
       if (way[i].direction == 0) {
@@ -83,7 +83,7 @@ class Smoother {
             piece.length = c.length / n;
             rest = rest_from(rest, piece.length);
           }
-          parts.push_back({Stretch{way[i].direction, {piece}, {}}, 0.0});
+          parts.push_back({LatticeStretch{way[i].direction, {piece}, {}}, 0.0});
         }
       }
     }
@@ -92,7 +92,7 @@ class Smoother {
   }
 
   /// The least costly choice of places.
-  std::vector<Part> joined(const std::vector<Stretch>& way, std::size_t begin, std::size_t end) {
+  std::vector<Part> joined(const std::vector<LatticeStretch>& way, std::size_t begin, std::size_t end) {
     std::vector<Part> parts = cut(way, begin, end);
     const std::size_t n = parts.size();
     std::vector<double> best(n + 1, infinity);
@@ -121,7 +121,7 @@ class Smoother {
         if (best[i] + cost_.least_factor() * distance(first.start.position(), to.position()) >= best[j + 1]) continue;
         auto curves = fitted_within(first.start, first.curvature, to, end_curvature(last), limits_);
         if (curves.empty()) continue;
-        Part part{Stretch{parts[i].stretch.direction, std::move(curves), {}}, 0.0};
+        Part part{LatticeStretch{parts[i].stretch.direction, std::move(curves), {}}, 0.0};
         const auto cost = evaluated(part.stretch, best[j + 1] - best[i]);
         if (!cost) continue;
         part.cost = *cost;
@@ -137,7 +137,7 @@ class Smoother {
   }
 
   /// Places between two drives moved across, turned and bent, as long as it pays.
-  std::vector<Stretch> refined(std::vector<Part> parts) {
+  std::vector<LatticeStretch> refined(std::vector<Part> parts) {
     for (double move = first_move; move >= last_move; move *= 0.5) {
       bool is_better = true;
       for (int round = 0; is_better && round < most_rounds; ++round) {
@@ -148,7 +148,7 @@ class Smoother {
         }
       }
     }
-    std::vector<Stretch> out;
+    std::vector<LatticeStretch> out;
     for (Part& p : parts) out.push_back(std::move(p.stretch));
     return out;
   }
@@ -196,7 +196,7 @@ class Smoother {
     if (before.empty()) return false;
     auto after = fitted_within(there, curvature, to, end_curvature_of(b.stretch.curves), limits_);
     if (after.empty()) return false;
-    Part x{Stretch{a.stretch.direction, std::move(before), {}}, 0.0}, y{Stretch{b.stretch.direction, std::move(after), {}}, 0.0};
+    Part x{LatticeStretch{a.stretch.direction, std::move(before), {}}, 0.0}, y{LatticeStretch{b.stretch.direction, std::move(after), {}}, 0.0};
     const double enough = now - worthwhile;
     const auto one = evaluated(x.stretch, enough - cost_.at_least(y.stretch));
     if (!one) return false;
@@ -216,7 +216,7 @@ class Smoother {
     if (length_of(a.stretch) + length_of(b.stretch) > farthest_join) return false;
     auto curves = fitted_within(first.start, first.curvature, end_course(last), end_curvature(last), limits_);
     if (curves.empty()) return false;
-    Part part{Stretch{a.stretch.direction, std::move(curves), {}}, 0.0};
+    Part part{LatticeStretch{a.stretch.direction, std::move(curves), {}}, 0.0};
     const auto cost = evaluated(part.stretch, a.cost + b.cost + no_dearer);
     if (!cost) return false;
     part.cost = *cost;
@@ -233,10 +233,10 @@ class Smoother {
 
 }  // namespace
 
-double cost_of(const std::vector<Stretch>& stretches, MotionCost& cost) {
+double cost_of(const std::vector<LatticeStretch>& stretches, MotionCost& cost) {
   double sum = 0.0;
   int direction = 0;
-  for (const Stretch& s : stretches) {
+  for (const LatticeStretch& s : stretches) {
     if (s.direction == 0 && s.turn.angle == 0.0) continue;
     sum += cost.of(s, fine_step).value_or(infinity);
     if (s.direction == 0) continue;
@@ -246,7 +246,7 @@ double cost_of(const std::vector<Stretch>& stretches, MotionCost& cost) {
   return sum;
 }
 
-Smoothed smoothed(const std::vector<Stretch>& way, MotionCost& cost, const BendLimits& limits, Budget& budget) {
+Smoothed smoothed(const std::vector<LatticeStretch>& way, MotionCost& cost, const BendLimits& limits, Budget& budget) {
   Smoother smoother{cost, limits, budget};
   Smoothed out;
   out.stretches = smoother.run(way);

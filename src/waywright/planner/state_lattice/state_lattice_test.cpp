@@ -104,7 +104,7 @@ double exhaustive(const LatticeGraph& graph, MotionCost& cost) {
   double least = infinity;
   for (const GoalMotion& m : graph.goal_motions()) {
     double sum = 0.0;
-    for (const Stretch& s : m.stretches) sum += cost.of(s, 0.1).value_or(infinity);
+    for (const LatticeStretch& s : m.stretches) sum += cost.of(s, 0.1).value_or(infinity);
     for (int arrival = 0; arrival < 3; ++arrival) {
       const bool is_change = arrival != 0 && m.direction != 0 && (m.direction > 0 ? 1 : 2) != arrival;
       least = std::min(least, best[state(m.cell, m.heading, arrival)] + sum + (is_change ? cost.costs().change : 0.0));
@@ -243,7 +243,7 @@ TEST(MotionCost, WhatItCallsFreeKeepsTheMarginEverywhere) {
     const Pose to{from.x + random.uniform(-2, 2), from.y + random.uniform(-2, 2), random.uniform(-3, 3)};
     auto curves = fitted_within(from, 0.0, to, 0.0, {5.0, infinity});
     if (curves.empty()) continue;
-    const Stretch stretch{i % 2 == 0 ? 1 : -1, std::move(curves), {}};
+    const LatticeStretch stretch{i % 2 == 0 ? 1 : -1, std::move(curves), {}};
     const bool is_free = cost.of(stretch, 0.1).has_value();
     std::vector<SteppedPose> poses;
     sample_stretch(stretch, 0.001, 0.005, poses);
@@ -291,7 +291,7 @@ TEST(Smoothing, NeverDearerAlwaysFreeContinuousAndBetweenTheSameEnds) {
     EXPECT_LE(way.cost, cost_of(answer.stretches, cost));
     Pose at = problem.start();
     double curvature = 0.0;
-    for (const Stretch& s : way.stretches) {
+    for (const LatticeStretch& s : way.stretches) {
       const Pose begin = start_of(s);
       ASSERT_NEAR(distance(begin.position(), at.position()), 0.0, 1e-8);
       ASSERT_NEAR(wrap(begin.heading - at.heading), 0.0, 1e-8);

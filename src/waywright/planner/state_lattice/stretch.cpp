@@ -23,39 +23,39 @@ Pose end_of(const Clothoid& c) { return make_pose(evaluate(c, c.length).position
 
 }  // namespace
 
-double length_of(const Stretch& stretch) {
+double length_of(const LatticeStretch& stretch) {
   double sum = 0.0;
   for (const Clothoid& c : stretch.curves) sum += c.length;
   return sum;
 }
 
-double bend_of(const Stretch& stretch) {
+double bend_of(const LatticeStretch& stretch) {
   double sum = 0.0;
   for (const Clothoid& c : stretch.curves) sum += bend_between(c.curvature, end_curvature(c), c.length);
   return sum;
 }
 
-Pose start_of(const Stretch& stretch) {
+Pose start_of(const LatticeStretch& stretch) {
   if (stretch.direction == 0) return make_pose(stretch.turn.at, wrap(stretch.turn.from));
   const Pose& p = stretch.curves.front().start;
   return make_pose(p.position(), facing(p.heading, stretch.direction));
 }
 
-Pose end_of(const Stretch& stretch) {
+Pose end_of(const LatticeStretch& stretch) {
   if (stretch.direction == 0) return make_pose(stretch.turn.at, wrap(stretch.turn.from + stretch.turn.angle));
   const Pose p = end_of(stretch.curves.back());
   return make_pose(p.position(), facing(p.heading, stretch.direction));
 }
 
-Stretch placed(const Stretch& stretch, const Frame& frame) {
-  Stretch there = stretch;
+LatticeStretch placed(const LatticeStretch& stretch, const Frame& frame) {
+  LatticeStretch there = stretch;
   for (Clothoid& c : there.curves) c.start = frame.to_world(c.start);
   there.turn.at = frame.to_world(stretch.turn.at);
   there.turn.from = wrap(stretch.turn.from + frame.heading());
   return there;
 }
 
-Path path_of(const std::vector<Stretch>& stretches) {
+Path path_of(const std::vector<LatticeStretch>& stretches) {
   Path path;
   const auto add_line = [&](Vec2 from, Vec2 to, int direction) {
     if (!path.pieces.empty() && path.pieces.back().direction == direction) {
@@ -69,7 +69,7 @@ Path path_of(const std::vector<Stretch>& stretches) {
     }
     path.pieces.push_back({Line{from, to}, direction});
   };
-  for (const Stretch& stretch : stretches) {
+  for (const LatticeStretch& stretch : stretches) {
     if (stretch.direction == 0) {
       if (stretch.turn.angle != 0.0) path.pieces.push_back({stretch.turn, 0});
       continue;
@@ -107,7 +107,7 @@ std::vector<Clothoid> fitted_within(const Pose& from, double from_curvature, con
   return curves;
 }
 
-void sample_stretch(const Stretch& stretch, double step, double turn_step, std::vector<SteppedPose>& poses) {
+void sample_stretch(const LatticeStretch& stretch, double step, double turn_step, std::vector<SteppedPose>& poses) {
   if (stretch.direction == 0) {
     const int n = std::max(1, static_cast<int>(std::ceil(std::abs(stretch.turn.angle) / turn_step)));
     for (int i = 0; i <= n; ++i) {

@@ -7,24 +7,24 @@
 
 namespace waywright {
 
-struct Stretch {
+struct LatticeStretch {
   int direction = 1;             ///< +1 forward, −1 backward (the course is the heading + π); 0: turning on the spot
   std::vector<Clothoid> curves;  ///< in the course's direction; empty where it turns on the spot
   Turn turn{};
 };
 
 /// m; none of a turn on the spot
-double length_of(const Stretch& stretch);
+double length_of(const LatticeStretch& stretch);
 /// ∫κ² over it, 1/m
-double bend_of(const Stretch& stretch);
+double bend_of(const LatticeStretch& stretch);
 /// Vehicle poses at its ends. @pre not empty
-Pose start_of(const Stretch& stretch);
-Pose end_of(const Stretch& stretch);
+Pose start_of(const LatticeStretch& stretch);
+Pose end_of(const LatticeStretch& stretch);
 /// The same elsewhere: what was told in the frame's coordinates.
-Stretch placed(const Stretch& stretch, const Frame& frame);
+LatticeStretch placed(const LatticeStretch& stretch, const Frame& frame);
 
 /// Clothoids without curvature as lines, straight on ones as one.
-Path path_of(const std::vector<Stretch>& stretches);
+Path path_of(const std::vector<LatticeStretch>& stretches);
 
 /// What the vehicle can drive without stopping.
 struct BendLimits {
@@ -46,6 +46,6 @@ struct SteppedPose {
   double bend = 0.0;   ///< ∫κ², 1/m
 };
 /// At most `step` m and `turn_step` rad apart, first and last included, appended.
-void sample_stretch(const Stretch& stretch, double step, double turn_step, std::vector<SteppedPose>& poses);
+void sample_stretch(const LatticeStretch& stretch, double step, double turn_step, std::vector<SteppedPose>& poses);
 
 }  // namespace waywright
