@@ -111,7 +111,10 @@ Parsed<Scenario> scenario_along_lanes(const std::filesystem::path& file, const L
   scenario.start = pose_at(graph, ends[0], false, route);
   scenario.mission = pose_at(graph, ends[1], true, route);
   scenario.zones = std::move(zones->zones);
-  scenario.planner.name = scenario.vehicle.can_turn_on_the_spot() ? "astar" : "clearance_optimal";
+  // They keep to directions and weigh factors. Ways at any angle follow lanes better than moves from cell to cell, where the disc around the vehicle has room.
+  const Footprint& footprint = scenario.vehicle.footprint;
+  const bool is_round = footprint.is_disc() || (arguments.corridor && 2.0 * footprint.radius() < 0.9 * *arguments.corridor);
+  scenario.planner.name = !scenario.vehicle.can_turn_on_the_spot() ? "clearance_optimal" : is_round ? "theta_star" : "astar";
   scenario.map = std::move(map);
   scenario.map_source = std::move(record);
   const auto problem = Problem::prepare(scenario);

@@ -7,12 +7,15 @@
 #include <numbers>
 #include <utility>
 
+#include "waywright/geometry/boolean.hpp"
+
 namespace waywright {
 namespace {
 
 constexpr double most_leaving = 75.0 * std::numbers::pi / 180.0;  // of a bend from its zone's direction, where 90° are allowed
 constexpr double least_stretch = 0.05;                            // m: shorter ones get no zone
 constexpr std::size_t most_told = 8;
+constexpr double least_share = 0.01;                              // of a square of the width: smaller rests of strips get no zone
 
 /// What is left of a course where so much is cut off at both ends.
 Polyline trimmed(const Polyline& course, double from_start, double from_end) {
@@ -100,6 +103,27 @@ bool overlap(const Ring& a, const Ring& b) {
   return contains(a, b.front()) || contains(b, a.front());
 }
 
+/// What of a strip is in none of the others: zones that overlap would prefer junctions, and lanes beside each other, to the lanes.
+std::vector<Ring> beyond(const Ring& strip, const std::vector<Ring>& others, double least_area) {
+  std::vector<Ring> left{strip};
+  for (const Ring& other : others) {
+    std::vector<Ring> next;
+    for (Ring& ring : left) {
+      if (!overlap(ring, other)) {
+        next.push_back(std::move(ring));
+        continue;
+      }
+      auto parts = without(ring, other);
+      if (!parts) parts = std::vector<Ring>{std::move(ring)};  // with a hole, say: then it overlaps
+      for (Ring& part : *parts) {
+        if (std::abs(signed_area(part)) > least_area) next.push_back(std::move(part));
+      }
+    }
+    left = std::move(next);
+  }
+  return left;
+}
+
 class Directions {
  public:
   Directions(const LaneGraph& graph, double width) : graph_{graph}, half_{0.5 * width}, strips_(graph.lanes.size()) {}
@@ -180,11 +204,16 @@ Parsed<LaneZones> lane_zones(const LaneGraph& graph, const LaneRules& rules) {
       for (const Strip& one : directed[i]) made.zones.push_back({.type = ZoneType::directed, .name = graph.lanes[i].name, .area = one.ring, .direction = one.direction});
     }
   }
+  std::vector<Ring> preferred;
+  const double least_area = least_share * rules.width * rules.width;
   for (const Lane& lane : graph.lanes) {
     const bool is_slow = lane.speed && *lane.speed < rules.vehicle_speed;
     if (!is_slow && !rules.preference) continue;
     for (Strip& one : strips(trimmed(lane.course, 0.0, 0.0), half, false)) {
-      if (rules.preference) made.zones.push_back({.type = ZoneType::preferred, .name = lane.name, .area = one.ring, .factor = *rules.preference});
+      if (rules.preference) {
+        for (Ring& part : beyond(one.ring, preferred, least_area)) made.zones.push_back({.type = ZoneType::preferred, .name = lane.name, .area = std::move(part), .factor = *rules.preference});
+        preferred.push_back(one.ring);
+      }
       if (is_slow) made.zones.push_back({.type = ZoneType::speed_limit, .name = lane.name, .area = std::move(one.ring), .speed = std::max(least_zone_speed, *lane.speed)});
     }
   }

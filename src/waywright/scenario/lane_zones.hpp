@@ -28,6 +28,8 @@ struct LaneZones {
 /// lane's ends, or earlier where another lane that meets it there leads back beside it, so that two directions at a junction never forbid each other everything. Lanes
 /// that come nearer than their width to one that leads the other way have no direction (both are told).
 ///
+/// Preferred zones do not overlap: each lane's leaves out what is in one before it.
+///
 /// Refused: more zones than a scenario may have.
 Parsed<LaneZones> lane_zones(const LaneGraph& graph, const LaneRules& rules);
 

@@ -81,6 +81,28 @@ TEST(LaneZones, LanesBesideEachOtherTheOtherWayHaveNoDirection) {
   EXPECT_EQ(of_type(lane_zones(graph, {.width = 0.4}).value(), ZoneType::directed).size(), 3U);
 }
 
+TEST(LaneZones, PreferredOnesDoNotOverlap) {
+  const LaneGraph graph = graph_of({{0, 0}, {20, 0}, {8, -9}, {12, 9}, {0, 0.6}, {20, 1.2}, {15, 5}}, {{0, 1}, {2, 3}, {4, 5}, {3, 6}, {6, 1}});
+  const LaneZones zones = lane_zones(graph, {.width = 1.0, .preference = 0.5}).value();
+  const auto preferred = of_type(zones, ZoneType::preferred);
+  int in_one = 0;
+  for (double x = -1; x < 21; x += 0.0713) {
+    for (double y = -10; y < 10; y += 0.0717) {
+      const auto in = std::count_if(preferred.begin(), preferred.end(), [&](const Zone* zone) { return contains(zone->area, {x, y}); });
+      EXPECT_LE(in, 1) << x << " " << y;
+      bool on_lane = false;
+      for (const Lane& lane : graph.lanes) {
+        const Vec2 a = lane.course[0], way = lane.course[1] - a;
+        const double t = dot(Vec2{x, y} - a, way) / squared_norm(way), off = std::abs(cross(way, Vec2{x, y} - a)) / norm(way);
+        on_lane = on_lane || (t > 0.0 && t < 1.0 && off < 0.499);
+      }
+      in_one += in == 1 ? 1 : 0;
+      EXPECT_TRUE(!on_lane || in == 1) << x << " " << y;  // what one leaves out is in another
+    }
+  }
+  EXPECT_GT(in_one, 5000);
+}
+
 TEST(LaneZones, BendsAreFollowed) {
   LaneGraph graph = graph_of({{0, 0}, {10, 0}}, {{0, 1}});
   Polyline& course = graph.lanes[0].course;

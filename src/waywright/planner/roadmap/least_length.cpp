@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 
 #include "waywright/planner/grid/free_goal.hpp"
 #include "waywright/planner/roadmap/tangent_graph.hpp"
@@ -12,6 +14,13 @@ namespace {
 
 constexpr double rounding = 1e-6;  // m, under what the proof can tell
 constexpr std::size_t most_corners = 3000;
+
+/// How many corners may be left where there are very many: as much work as a roadmap or a tree is.
+std::optional<std::int64_t> expansions_for(std::size_t corners) {
+  constexpr std::size_t looked_at = 2'000'000;  // corners, from all that are left together
+  if (corners <= most_corners) return std::nullopt;
+  return static_cast<std::int64_t>(1 + looked_at / corners);
+}
 
 }  // namespace
 
@@ -31,20 +40,29 @@ LeastLength least_length(const PlaneSpace& space, Budget& budget) {
     return least;
   }
   const TangentGraph graph{space, radius, radius - 0.5 * rounding, Rounding::optimistic};
-  if (graph.corners() > most_corners) return least;
-  const TangentAnswer answer = graph.shortest(start, goal, budget);
+  const TangentAnswer answer = graph.shortest(start, goal, budget, expansions_for(graph.corners()));
+  if (answer.ended == TangentEnd::expansions && answer.least - rounding > least.metres) {
+    least.metres = answer.least - rounding;
+    least.is_straight = false;
+    least.is_partial = true;
+  }
   if (answer.ended == TangentEnd::found) {
     least.metres = std::max(least.metres, answer.way.length);
     least.is_straight = false;
   } else if (answer.ended == TangentEnd::unreachable) {
     least.is_unreachable = true;
   } else {
-    least.is_cut_short = true;
+    least.is_cut_short = answer.ended == TangentEnd::stopped;
   }
   return least;
 }
 
 std::string bound_sentence(const LeastLength& least, double metres) {
+  if (least.is_partial) {
+    return fmt::format("No path from start to goal can be shorter than {:.3f} m (by a visibility graph of the disc of {:.3f} m that the footprint holds, searched in part, as the map has very many corners): this one is at "
+                       "most {:.2f} % longer than the shortest.",
+                       least.metres, least.disc, std::max(0.0, metres / least.metres - 1.0) * 100.0);
+  }
   if (least.is_unreachable || !(least.metres > 0.0)) return {};
   const std::string how = least.is_cut_short  ? std::string{"the straight line; the budget was over before a closer bound was found"}
                           : least.is_straight ? std::string{"the straight line; the map has too many corners for a closer bound"}

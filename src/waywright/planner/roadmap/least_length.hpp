@@ -14,10 +14,12 @@ struct LeastLength {
   bool is_cut_short = false;    ///< that was so because the budget ended the search for a closer bound
   bool is_unreachable = false;  ///< there is none at all
   double disc = 0.0;          ///< m, of the disc that it was found for: the largest about the origin that the footprint holds
+  bool is_partial = false;    ///< of a map with very many corners: how far the search came, which is less than the shortest way
 };
 
 /// Of the largest disc about the origin that the footprint holds, which is there whatever the heading, and keeps what is required; obstacles are not grown by any
-/// tolerance. (Gaps under two micrometres count as shut where neither a disc nor a clearance is left.) The straight line where the map has too many corners for that, or the budget ends.
+/// tolerance. (Gaps under two micrometres count as shut where neither a disc nor a clearance is left.) Where the map has more than 3000 corners only some of
+/// the search is done, and its bound is told. The straight line where the budget ends.
 LeastLength least_length(const PlaneSpace& space, Budget& budget);
 
 /// "No path of this footprint … can be shorter than 3.210 m (visibility graph …): this one is at most 1.2 % longer." Empty where nothing is known.

@@ -124,6 +124,7 @@ class TangentSearch {
     while (!open_.empty()) {
       std::pop_heap(open_.begin(), open_.end());
       const std::uint32_t at = open_.back().visit;
+      answer.least = open_.back().estimate;  // of all that is open the least, and a shortest way leads through one of them
       open_.pop_back();
       const Visit visit = visits_[at];
       if (visit.side != goal_side && is_dominated(visit)) continue;

@@ -34,6 +34,7 @@ struct TangentAnswer {
   TangentWay way;  ///< where found
   std::int64_t expansions = 0;
   std::int64_t lines = 0;  ///< whose freedom was asked for
+  double least = 0.0;      ///< m, where it was ended before: no way in the graph is shorter
 };
 
 /// Immutable once made; queries may run on many threads. The space outlives it.
