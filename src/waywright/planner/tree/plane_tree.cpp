@@ -191,6 +191,7 @@ void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, V
   nodes_.emplace_back();
   costs_.push_back(0.0);
   look_for_goal(0);
+  if (kept_ != nullptr) take_over();
   choose_best();
   if (is_found()) {
     statistics_.first_length = best_length_;
