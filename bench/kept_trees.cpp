@@ -79,7 +79,7 @@ void run_map(const Scenario& scenario, const char* name, int seeds) {
     KeptTree upkeep;
     upkeep.take(tree);
     begin = now_ms();
-    upkeep.carry_over(space, appeared, root, 1.0);
+    upkeep.carry_over(space, appeared, root, 1.0, {{goal}});
     const double kept_ms = now_ms() - begin;
     const double kept_lines = static_cast<double>(upkeep.statistics().lines + upkeep.statistics().near);
     PlaneTree as_is, more;

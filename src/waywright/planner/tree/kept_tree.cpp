@@ -6,7 +6,6 @@
 #include <functional>
 #include <limits>
 #include <queue>
-#include <tuple>
 
 namespace waywright {
 namespace {
@@ -22,8 +21,8 @@ bool meet(const Box& box, Vec2 a, Vec2 b) {
 /// The work on one tree: nodes as they were, and the new root behind them.
 class Upkeep {
  public:
-  Upkeep(std::vector<PlaneTree::KeptNode> nodes, const PlaneSpace& space, const World& appeared, Vec2 root, double radius, KeptTreeStatistics& statistics)
-      : nodes_{std::move(nodes)}, space_{space}, appeared_{appeared}, radius_{radius}, statistics_{statistics}, root_{static_cast<std::uint32_t>(nodes_.size())} {
+  Upkeep(std::vector<PlaneTree::KeptNode> nodes, const PlaneSpace& space, const World& appeared, Vec2 root, double radius, const PlaneTarget& goal, KeptTreeStatistics& statistics)
+      : nodes_{std::move(nodes)}, space_{space}, appeared_{appeared}, radius_{radius}, goal_{goal}, statistics_{statistics}, root_{static_cast<std::uint32_t>(nodes_.size())} {
     nodes_.push_back({root, none});
     const Box known = appeared.empty() ? Box{{1.0, 1.0}, {0.0, 0.0}} : appeared.bounds();
     const Vec2 room{space.needed(), space.needed()};
@@ -40,6 +39,7 @@ class Upkeep {
     cut();
     spread_from_root();
     reattach();
+    look_for_goal();
     rewire();
   }
 
@@ -129,35 +129,60 @@ class Upkeep {
     spread(queue);
   }
 
-  /// The cheapest line first, whoever's it is; what hangs on a node that is reached comes with it.
+  /// The cheapest line first, whoever's it is; what hangs on a node that is reached comes with it. An orphan stands in the queue with the cheapest way that is known to it.
   void reattach() {
     std::vector<bool> is_orphan(nodes_.size(), false);
+    std::vector<double> known(nodes_.size(), unreached);
+    std::vector<std::vector<std::uint32_t>> blocked(nodes_.size());  // by whom it has been looked for in vain
+    Queue queue;
+    const auto offer = [&](std::uint32_t orphan, double cost) {
+      if (cost >= known[orphan]) return;
+      known[orphan] = cost;
+      queue.emplace(cost, orphan);
+    };
     for (std::uint32_t i = 0; i < root_; ++i) {
       if (cost_[i] != unreached) continue;
       ++statistics_.orphans;
       is_orphan[i] = is_clear_of_new(nodes_[i].at, nodes_[i].at);
-    }
-    using Line = std::tuple<double, std::uint32_t, std::uint32_t>;
-    std::priority_queue<Line, std::vector<Line>, std::greater<>> lines;
-    const auto offer_from = [&](std::uint32_t node) {
-      bins_.within(nodes_[node].at, radius_, found_);
-      for (const PointBins::Near& n : found_) {
-        if (is_orphan[n.index] && cost_[n.index] == unreached) lines.emplace(cost_[node] + length(node, n.index), n.index, node);
-      }
-    };
-    for (std::uint32_t i = 0; i < root_; ++i) {
       if (!is_orphan[i]) continue;
       bins_.within(nodes_[i].at, radius_, found_);
+      double least = unreached;
       for (const PointBins::Near& n : found_) {
-        if (cost_[n.index] != unreached) lines.emplace(cost_[n.index] + length(n.index, i), i, n.index);
+        if (cost_[n.index] != unreached) least = std::min(least, cost_[n.index] + std::sqrt(n.squared));
       }
+      if (least != unreached) offer(i, least);
     }
-    while (!lines.empty()) {
-      const auto [cost, node, by] = lines.top();
-      lines.pop();
-      if (cost_[node] != unreached || !is_line_free(by, node)) continue;
-      std::vector<std::uint32_t> reached{node};
-      cost_[node] = cost;
+    std::vector<std::uint32_t> reached;
+    while (!queue.empty()) {
+      const auto [cost, node] = queue.top();
+      queue.pop();
+      if (cost_[node] != unreached || cost > known[node]) continue;
+      bins_.within(nodes_[node].at, radius_, found_);
+      std::uint32_t by = none, next = none;
+      double through = unreached, then = unreached;
+      std::vector<std::uint32_t>& in_vain = blocked[node];
+      for (const PointBins::Near& n : found_) {
+        if (cost_[n.index] == unreached || std::find(in_vain.begin(), in_vain.end(), n.index) != in_vain.end()) continue;
+        const double by_it = cost_[n.index] + length(n.index, node);
+        if (by_it < through || (by_it == through && n.index < by)) {
+          then = through;
+          next = by;
+          through = by_it;
+          by = n.index;
+        } else if (by_it < then) {
+          then = by_it;
+          next = n.index;
+        }
+      }
+      if (by == none) continue;
+      if (!is_line_free(by, node)) {
+        in_vain.push_back(by);
+        known[node] = unreached;
+        if (next != none) offer(node, then);
+        continue;
+      }
+      reached.assign(1, node);
+      cost_[node] = through;
       parent_[node] = by;
       for (std::size_t k = 0; k < reached.size(); ++k) {
         ++statistics_.reattached;
@@ -169,8 +194,33 @@ class Upkeep {
           reached.push_back(n);
         }
       }
-      for (const std::uint32_t n : reached) offer_from(n);
+      for (const std::uint32_t n : reached) {
+        bins_.within(nodes_[n].at, radius_, found_);
+        for (const PointBins::Near& o : found_) {
+          if (is_orphan[o.index] && cost_[o.index] == unreached) offer(o.index, cost_[n] + std::sqrt(o.squared));
+        }
+      }
     }
+  }
+
+  double to_goal(std::uint32_t node) const { return distance(nodes_[node].at, goal_.nearest(nodes_[node].at)); }
+  /// Who sees the goal, of those that are near it: the best way so far, that others have to beat.
+  void look_for_goal() {
+    sees_goal_.assign(nodes_.size(), false);
+    for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+      const double left = to_goal(i);
+      if (cost_[i] == unreached || left > radius_) continue;
+      if (left > 0.0) {
+        ++statistics_.lines;
+        if (!space_.is_free(nodes_[i].at, goal_.nearest(nodes_[i].at))) continue;
+      }
+      sees_goal_[i] = true;
+      best_ = std::min(best_, cost_[i] + left);
+    }
+  }
+  void improve(std::uint32_t node, double cost) {
+    cost_[node] = cost;
+    if (sees_goal_[node]) best_ = std::min(best_, cost + to_goal(node));
   }
 
   /// From the root and from what found another parent outwards, as far as ways get shorter.
@@ -190,21 +240,22 @@ class Upkeep {
       for (const std::uint32_t child : children[at]) {
         const double through = cost_[at] + length(at, child);
         if (through >= cost_[child]) continue;
-        cost_[child] = through;
+        improve(child, through);
         queue.emplace(through, child);
       }
+      if (cost_[at] + to_goal(at) >= best_) continue;
       bins_.within(nodes_[at].at, radius_, found_);
       for (const PointBins::Near& n : found_) {
         const std::uint32_t other = n.index;
         if (other == root_ || cost_[other] == unreached) continue;
         const double through = cost_[at] + length(at, other);
-        if (!(through < cost_[other] - worth) || !is_line_free(at, other)) continue;
+        if (!(through < cost_[other] - worth) || through + to_goal(other) >= best_ || !is_line_free(at, other)) continue;
         ++statistics_.rewired;
         std::vector<std::uint32_t>& siblings = children[parent_[other]];
         siblings.erase(std::find(siblings.begin(), siblings.end(), other));
         children[at].push_back(other);
         parent_[other] = at;
-        cost_[other] = through;
+        improve(other, through);
         queue.emplace(through, other);
       }
     }
@@ -214,12 +265,15 @@ class Upkeep {
   const PlaneSpace& space_;
   const World& appeared_;
   double radius_;
+  const PlaneTarget& goal_;
   KeptTreeStatistics& statistics_;
   std::uint32_t root_;
   Box near_{};
   bool has_new_ = false;
   PointBins bins_;
   std::vector<double> cost_;
+  std::vector<bool> sees_goal_;
+  double best_ = unreached;  // m, of a way to the goal
   std::vector<std::uint32_t> parent_;
   std::vector<std::vector<std::uint32_t>> kept_;
   std::vector<std::uint32_t> touched_;
@@ -237,10 +291,10 @@ void KeptTree::take(const PlaneTree& tree) {
   }
 }
 
-bool KeptTree::carry_over(const PlaneSpace& space, const World& appeared, Vec2 root, double radius) {
+bool KeptTree::carry_over(const PlaneSpace& space, const World& appeared, Vec2 root, double radius, const PlaneTarget& goal) {
   statistics_ = {};
   statistics_.nodes = static_cast<std::int64_t>(nodes_.size());
-  Upkeep upkeep{std::move(nodes_), space, appeared, root, radius, statistics_};
+  Upkeep upkeep{std::move(nodes_), space, appeared, root, radius, goal, statistics_};
   upkeep.run();
   upkeep.write(nodes_, costs_);
   statistics_.kept = static_cast<std::int64_t>(nodes_.size());

@@ -32,8 +32,8 @@ class KeptTree {
   bool empty() const { return nodes_.empty(); }
 
   /// `space`: the map with what is new; `appeared`: what is new alone, built; `root`: where the robot is now, free; `radius`: m, within which parents are looked for.
-  /// False where the root sees no node: then only it is left.
-  bool carry_over(const PlaneSpace& space, const World& appeared, Vec2 root, double radius);
+  /// Ways are shortened where that can lead to a shorter one to the goal (as bounded by the straight line). False where the root sees no node: then only it is left.
+  bool carry_over(const PlaneSpace& space, const World& appeared, Vec2 root, double radius, const PlaneTarget& goal);
 
   /// The root first, each after its parent.
   const std::vector<PlaneTree::KeptNode>& nodes() const { return nodes_; }

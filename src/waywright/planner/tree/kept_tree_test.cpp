@@ -80,7 +80,7 @@ TEST(KeptTree, CostsAddUpAndEveryEdgeIsFreeOfWhatIsNew) {
     if (!changed.tree.is_found() || !changed.space.is_free(changed.root)) continue;
     KeptTree kept;
     kept.take(changed.tree);
-    if (!kept.carry_over(changed.space, changed.appeared, changed.root, 1.0)) continue;
+    if (!kept.carry_over(changed.space, changed.appeared, changed.root, 1.0, {{goal}})) continue;
     ++looked_at;
     const auto& nodes = kept.nodes();
     const auto& costs = kept.costs();
@@ -118,12 +118,12 @@ TEST(KeptTree, NothingNewAndTheOldRootIsTheOldTree) {
   ASSERT_TRUE(changed.tree.is_found());
   KeptTree kept;
   kept.take(changed.tree);
-  ASSERT_TRUE(kept.carry_over(changed.space, changed.appeared, changed.root, 1.0));
+  ASSERT_TRUE(kept.carry_over(changed.space, changed.appeared, changed.root, 1.0, {{goal}}));
   EXPECT_EQ(kept.statistics().cut, 0);
   EXPECT_EQ(kept.statistics().near, 0);
   EXPECT_EQ(kept.statistics().orphans, 0);
   EXPECT_EQ(kept.nodes().size(), changed.tree.size() + 1);
-  // No node is farther from the root than it was.
+  // The way to the goal is no longer than it was, and no node is farther from the root.
   for (std::uint32_t n = 0; n < changed.tree.size(); n += 7) {
     double cost = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < kept.nodes().size(); ++k) {
@@ -145,7 +145,7 @@ TEST(KeptTree, GrownOnItIsAsGoodAsANewOneForFewerLines) {
     if (!changed.tree.is_found() || !changed.space.is_free(changed.root) || !changed.space.is_free(goal)) continue;
     KeptTree kept;
     kept.take(changed.tree);
-    ASSERT_TRUE(kept.carry_over(changed.space, changed.appeared, changed.root, 1.0));
+    ASSERT_TRUE(kept.carry_over(changed.space, changed.appeared, changed.root, 1.0, {{goal}}));
     Budget budget;
     PlaneTree grown, anew;
     grown.grow_on(kept.nodes(), changed.space, {.samples = 300}, {{goal}}, 77, budget, no_limit);

@@ -47,11 +47,12 @@ std::optional<Path> TreeSession::replan(const Problem& problem, const Map& appea
   only.build();
   kept_.take(tree_);
   // Nodes are looked for as far as an edge may be long: the proven radius has become small in a tree that is large.
-  if (!kept_.carry_over(space, only, ends->start.at, options_.radius > 0.0 ? options_.radius : options_.step)) return std::nullopt;
+  const PlaneTarget target = target_of(problem, ends->goal.at);
+  if (!kept_.carry_over(space, only, ends->start.at, options_.radius > 0.0 ? options_.radius : options_.step, target)) return std::nullopt;
   budget.count_evaluations(kept_.statistics().lines + kept_.statistics().near);
   PlaneTreeOptions options = options_;
   options.samples = more;
-  tree_.grow_on(kept_.nodes(), space, options, target_of(problem, ends->goal.at), seed_ + ++calls_, budget, budget.evaluations_left().value_or(no_limit));
+  tree_.grow_on(kept_.nodes(), space, options, target, seed_ + ++calls_, budget, budget.evaluations_left().value_or(no_limit));
   budget.count_evaluations(tree_.statistics().edges);
   return path_of(tree_, space, *ends);
 }
