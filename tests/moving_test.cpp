@@ -145,7 +145,7 @@ TEST(Moving, WhereNothingServesItIsSaidWithFigures) {
   seen.moving = {walker({{0.0, {4.0 + 1.3 + radius + person, 0.0, 0.0}}, {5.0, {4.0 + 1.3 + radius + person, 0.0, 0.0}}}, {0.0, 1.0})};
   const Plan near = replan(old, time_at(old.samples, 4.0), seen).value();
   expect_sound(near);
-  EXPECT_TRUE(says(near, "it cannot stop before"));
+  EXPECT_TRUE(says(near, "and cannot stop before"));
   EXPECT_TRUE(says(near, "is kept as it is"));
 }
 

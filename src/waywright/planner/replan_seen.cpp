@@ -207,7 +207,9 @@ class Replanning {
   std::string situation() const {
     if (blocked_.stretches.empty()) return "What was left of the plan cannot be shown to be free of what is new.";
     const double ahead = blocked_.stretches.front().near;
-    std::string text = fmt::format("What was left of the plan is blocked by {}: {:.2f} m ahead the footprint would come nearer than {:.3f} m to it", obstacle_name(), ahead, problem_.required_clearance());
+    const double required = problem_.required_clearance();
+    std::string text = fmt::format("What was left of the plan is blocked by {}: {:.2f} m ahead the footprint would {}", obstacle_name(), ahead,
+                                   required > 0.0 ? fmt::format("come nearer than {:.3f} m to it", required) : std::string{"touch it"});
     if (!problem_.motion()) return text + "; the vehicle stands.";
     if (!brakes_in_) return text + fmt::format("; at {:.2f} m/s the vehicle cannot come to rest on what is left of the plan.", problem_.motion()->speed);
     return text + fmt::format("; at {:.2f} m/s the vehicle comes to rest in {:.2f} m{}.", problem_.motion()->speed, *brakes_in_, can_stop_ ? "" : ", which is too far");
@@ -308,7 +310,7 @@ class Replanning {
     }
     Plan plan = std::move(candidates.front().plan);
     const Candidate& taken = candidates.front();
-    text.push_back(fmt::format("{}: {}. It takes {:.1f} s for {:.2f} m.", taken.left_at > 0.0 || taken.name != "planned anew" ? "So it is " + taken.name : "So it is planned anew", taken.told, plan.metrics.travel_time,
+    text.push_back(fmt::format("{}: {}. It takes {:.1f} s for {:.2f} m.", "So it is " + taken.name, taken.told, plan.metrics.travel_time,
                                plan.metrics.length));
     std::string others;
     std::vector<Alternative> alternatives{old_way()};
@@ -317,6 +319,7 @@ class Replanning {
       const std::string figures = other.status == Status::solved ? fmt::format("{:.1f} s for {:.2f} m", other.metrics.travel_time, other.metrics.length) : "not proven: " + other.reason;
       others += fmt::format("{}{} ({})", others.empty() ? "" : ", ", candidates[i].name, figures);
       alternatives.push_back(way_not_taken(candidates[i].name, other.path, figures + ".", other.metrics.length, false));
+      if (i > 1) alternatives.back().poses.clear();  // most of them are much the same
     }
     if (!others.empty()) text.push_back(fmt::format("Not taken: {}.", others));
     text.insert(text.end(), taken.explanation.begin(), taken.explanation.end());

@@ -39,8 +39,11 @@ std::string wait_sentence(const Problem& problem, const Wait& wait) {
   const std::string who = one_line(title_of(obstacle, wait.obstacle));
   const std::string stop = wait.s > 0.0 ? fmt::format("After {:.1f} s, at s = {:.2f} m, the vehicle stops for {}", wait.from, wait.s, who) : fmt::format("The vehicle stands for {}", who);
   if (wait.stays) return stop + fmt::format(" and waits until {:.1f} s; then it goes around it.", wait.until);
+  // From a motion it may be too late to stop as far away as the rule has it.
+  const auto& motion = problem.motion();
+  const bool is_late = motion && wait.ahead < obstacle.range && wait.s <= 0.5 * motion->speed * motion->speed / problem.vehicle().limits.deceleration + 2.0 * sample_step;
   return stop + fmt::format(", which comes into its way {:.2f} m ahead{}, and goes on after {:.1f} s, when its way has been clear for {:g} s.", wait.ahead,
-                            wait.ahead + 1e-9 < obstacle.range ? fmt::format(" (nearer than the {:g} m wanted: it cannot stop before)", obstacle.range) : std::string{}, wait.until, obstacle.free_for);
+                            is_late ? fmt::format(" (it wants {:g} m, and cannot stop before)", obstacle.range) : std::string{}, wait.until, obstacle.free_for);
 }
 
 void explain_mission(const Problem& problem, const Plan& plan, std::vector<std::string>& text) {
@@ -55,7 +58,8 @@ void explain_mission(const Problem& problem, const Plan& plan, std::vector<std::
   }
   for (const Wait& wait : plan.waits) text.push_back(wait_sentence(problem, wait));
   if (!scenario.moving.empty() && plan.status == Status::solved) {
-    text.push_back(fmt::format("Proven in time: at every moment of the plan the footprint keeps more than {:.3f} m from {} wherever {} can be then.", problem.required_clearance(),
+    text.push_back(fmt::format("Proven in time: at every moment of the plan the footprint {} {} wherever {} can be then.",
+                               problem.required_clearance() > 0.0 ? fmt::format("keeps more than {:.3f} m from", problem.required_clearance()) : std::string{"does not touch"},
                                scenario.moving.size() == 1 ? one_line(title_of(scenario.moving.front(), 0)) : fmt::format("{} moving obstacles,", scenario.moving.size()),
                                scenario.moving.size() == 1 ? "it" : "they"));
   }
