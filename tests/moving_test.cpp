@@ -123,6 +123,13 @@ TEST(Moving, WhatStaysInTheWayIsLedAroundAfterItsPatience) {
   }
 }
 
+TEST(Moving, WhatComesToMeetItIsPassedWhereThereIsRoom) {
+  const Plan plan = planned(straight(6.0, {walker({{0.0, {11.0, 0.0, 0.0}}}, {-1.0, 0.0})}));
+  expect_sound(plan);
+  EXPECT_GT(plan.metrics.length, 12.0);
+  EXPECT_TRUE(says(plan, "leads beside what it is predicted to sweep"));
+}
+
 TEST(Moving, WhereNothingServesItIsSaidWithFigures) {
   // No room around it.
   const Plan blocked = planned(straight(1.0, {walker({{0.0, {6.0, 0.0, 0.0}}})}));

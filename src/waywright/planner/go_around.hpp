@@ -22,8 +22,8 @@ struct Detour {
 /// Plans on from a place of the path at which the vehicle stands. `mission`: where to; `more`: obstacles beside the problem's. Errors as of solve().
 Parsed<Detour> detour(const Problem& problem, const Path& path, double s, const Mission& mission, const std::vector<Ring>& more, const std::atomic<bool>* cancel);
 
-/// Of a plan that is hindered by what stands in its way: it waits there as long as the obstacle's patience says, then goes on by a way around it. Any other plan, and one that
-/// nothing is found for, is returned as it is, with a sentence of why. Errors as of solve().
+/// Of a plan that is hindered by what stands in its way: it waits there as long as the obstacle's patience says, then goes on by a way around it. By what comes to meet it: a way
+/// beside what it is predicted to sweep until then. Any other plan, and one that nothing is found for, is returned as it is. Errors as of solve().
 Parsed<Plan> led_around(const Problem& problem, Plan plan, const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace waywright
