@@ -7,7 +7,8 @@
 namespace waywright {
 namespace {
 
-constexpr double shortest_step = 1e-6;  // s between points of a track
+constexpr double shortest_step = 1e-6;      // s between points of a track
+constexpr std::size_t most_points = 20'000;  // of all tracks of a scenario
 
 MovingObstacle::Place read_place(const Node& node) {
   MovingObstacle::Place place;
@@ -71,9 +72,15 @@ std::vector<MovingObstacle> read_moving(const Node& node, std::vector<std::strin
     node.fail(fmt::format("there are {} obstacles", node.json().size()), fmt::format("at most {}", most_moving));
     return moving;
   }
+  std::size_t points = 0;
   for (const Node& one : node.elements()) {
     moving.push_back(read_one(one, notes));
     if (node.failed()) break;
+    points += moving.back().track.size();
+    if (points > most_points) {
+      node.fail("the tracks have too many points", fmt::format("at most {} in all", most_points));
+      break;
+    }
   }
   return moving;
 }

@@ -61,5 +61,13 @@ TEST(ObstaclesIo, BadInputGetsOneSentence) {
   for (const auto& [text, sentence] : cases) EXPECT_EQ(sentence_of(text), sentence) << text;
 }
 
+TEST(ObstaclesIo, TracksAreBounded) {
+  std::string track = "[[0,0,0]";
+  for (int i = 1; i < 9000; ++i) track += "," + std::string{"["} + std::to_string(i) + ",0,0]";
+  const std::string one = R"({"footprint":{"disc":0.1},"track":)" + track + "]}";
+  EXPECT_EQ(sentence_of(with(R"("moving":[)" + one + "," + one + "]")), "accepted");
+  EXPECT_EQ(sentence_of(with(R"("moving":[)" + one + "," + one + "," + one + "]")), "o.json: moving: the tracks have too many points (allowed: at most 20000 in all)");
+}
+
 }  // namespace
 }  // namespace waywright

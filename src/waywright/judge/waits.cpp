@@ -301,6 +301,12 @@ class Schedule {
 Timed timed_past_moving(const Problem& problem, const std::vector<Sample>& samples, const LimitsAlong& along, double tolerance, std::span<const WantedWait> wanted,
                         const std::atomic<bool>* cancel) {
   if (samples.size() < 2) return {samples, {}, {}};
+  if (is_too_much_in_time(problem, samples.size())) {  // check_in_time says so
+    Timed fastest{samples, {}, {}};
+    SpeedWorkspace workspace;
+    assign_speed(fastest.samples, problem.vehicle(), problem.motion() ? problem.motion()->speed : 0.0, workspace, along);
+    return fastest;
+  }
   return Schedule{problem, samples, along, tolerance, cancel}.run(wanted);
 }
 

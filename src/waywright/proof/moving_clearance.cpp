@@ -9,6 +9,7 @@ namespace waywright {
 namespace {
 
 constexpr double rounding = 1e-8;          // m, of poses and distances
+constexpr std::size_t most_pairs = 40'000'000;  // samples times points of tracks
 constexpr double beyond = 1e-3;            // m, that distances are asked for over what is compared
 constexpr double shortest_time = 0.01;     // s, of a span that is looked at
 constexpr double shortest_way = 1e-3;      // m, of a step that is looked at
@@ -166,10 +167,20 @@ class InTime {
 
 }  // namespace
 
+bool is_too_much_in_time(const Problem& problem, std::size_t samples) {
+  std::size_t points = 0;
+  for (const MovingObstacle& obstacle : problem.scenario().moving) points += obstacle.track.size();
+  return points > 0 && samples > most_pairs / points;
+}
+
 std::vector<Violation> check_in_time(const Problem& problem, const std::vector<Sample>& samples, double tolerance) {
   std::vector<Violation> violations;
   const std::vector<MovingObstacle>& moving = problem.scenario().moving;
   if (moving.empty() || samples.size() < 2) return violations;
+  if (is_too_much_in_time(problem, samples.size())) {
+    violations.push_back({fmt::format("{} samples of the path and the tracks of what moves are too many to be held against each other", samples.size()), std::nullopt});
+    return violations;
+  }
   InTime in_time{problem, samples, tolerance};
   for (std::size_t i = 0; i < moving.size(); ++i) {
     const auto meeting = in_time.first(i);

@@ -56,6 +56,9 @@ class MovingClearance {
   std::vector<Body> bodies_;
 };
 
+/// Samples and tracks that would take minutes to be held against each other are not: such a plan is not proven.
+bool is_too_much_in_time(const Problem& problem, std::size_t samples);
+
 /// Is the way driven in these times clear of every moving obstacle by the scenario's clearance, at every pose within the pose error? One violation for each obstacle that it
 /// is not clear of, where it begins. @pre samples of a measurable path, with t that never decreases; nothing is said of what comes after the last
 std::vector<Violation> check_in_time(const Problem& problem, const std::vector<Sample>& samples, double tolerance);

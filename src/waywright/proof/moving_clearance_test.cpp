@@ -130,5 +130,17 @@ TEST(MovingClearance, AWayInTimeIsCheckedWhole) {
   EXPECT_EQ(check_in_time(problem, way(2.0), 5e-4).size(), 1U);
 }
 
+TEST(MovingClearance, WhatWouldTakeMinutesIsNotProven) {
+  MovingObstacle walker = disc(0.1, {});
+  for (int i = 0; i < 10'000; ++i) walker.track.push_back({0.1 * i, {1000.0 + 0.01 * i, 0.0, 0.0}});
+  const Problem problem = problem_of({{}, 0.0}, {walker});
+  EXPECT_FALSE(is_too_much_in_time(problem, 4000));
+  EXPECT_TRUE(is_too_much_in_time(problem, 4001));
+  std::vector<Sample> samples(5000);
+  const auto violations = check_in_time(problem, samples, 5e-4);
+  ASSERT_EQ(violations.size(), 1U);
+  EXPECT_NE(violations.front().sentence.find("too many"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace waywright
