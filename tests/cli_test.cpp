@@ -178,6 +178,52 @@ TEST_F(CommandLine, ReplanTakesOverWhileAPlanIsDriven) {
   refused(run("replan broken.json --at 1"), {"broken.json", "path", "not proven"});
 }
 
+TEST_F(CommandLine, ReplanAmongWhatHasAppeared) {
+  ASSERT_EQ(run("plan " + example("rrt_woa/wheelchair_2.json") + " --planner visibility_graph -o o").status, 0);
+  const Outcome box = run("replan o/plan.json --after 8 --obstacles " + example("obstacles/box.json") + " -o b");
+  EXPECT_EQ(box.status, 0) << box.out << box.err;
+  EXPECT_NE(box.out.find("8.00 m of the old plan"), std::string::npos) << box.out;
+  EXPECT_NE(box.out.find("1 new obstacle that stands still"), std::string::npos) << box.out;
+  EXPECT_EQ(run("verify b/plan.json").status, 0);
+  EXPECT_NE(slurp(folder_ / "b/plan.svg").find("new obstacle"), std::string::npos);
+  EXPECT_NE(slurp(folder_ / "b/report.html").find("driven already"), std::string::npos);
+  // From there again, what moves this time; its plan has the box on its map, still.
+  const Outcome person = run("replan b/plan.json --at 1 --obstacles " + example("obstacles/person.json") + " -o p");
+  EXPECT_EQ(person.status, 0) << person.out << person.err;
+  EXPECT_NE(person.out.find("is kept as it is"), std::string::npos) << person.out;
+  EXPECT_NE(person.out.find("Proven in time"), std::string::npos) << person.out;
+  EXPECT_EQ(run("verify p/plan.json").status, 0);
+  const Json plan = Json::parse(slurp(folder_ / "p/plan.json"));
+  EXPECT_EQ(plan["scenario"]["map"]["polygons"]["obstacles"].size(), 7U);
+  EXPECT_EQ(Json::parse(run("replan o/plan.json --at 0 --json --obstacles " + example("obstacles/box.json")).out)["status"], "solved");
+
+  const std::string with_box = " --obstacles " + example("obstacles/box.json");
+  refused(run("replan o/plan.json" + with_box), {"--at", "--after"});
+  refused(run("replan o/plan.json --at 1 --after 1" + with_box), {"--after", "one of the two"});
+  refused(run("replan o/plan.json --after 400" + with_box), {"--after", "within the plan's length"});
+  refused(run("replan o/plan.json --after x" + with_box), {"--after", "x"});
+  refused(run("replan o/plan.json --at 1 --goal 1,2,3" + with_box), {"--goal", "--obstacles"});
+  refused(run("replan o/plan.json --at 1 --obstacles missing.json"), {"missing.json"});
+  std::ofstream{folder_ / "empty.json"} << R"({"format": "waywright-obstacles/1"})";
+  refused(run("replan o/plan.json --at 1 --obstacles empty.json"), {"empty.json", "no obstacle"});
+}
+
+TEST_F(CommandLine, ThePlanOfTheMovingHallWaits) {
+  const Outcome o = run("plan " + example("moving_hall.json") + " -o o");
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
+  EXPECT_NE(o.out.find("the vehicle stops for"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("tugger stays in the way"), std::string::npos) << o.out;
+  EXPECT_NE(slurp(folder_ / "o/plan.svg").find("waits"), std::string::npos);
+  EXPECT_EQ(run("verify o/plan.json").status, 0);
+  EXPECT_EQ(run("controls o/plan.json -o c").status, 0);
+  Json plan = Json::parse(slurp(folder_ / "o/plan.json"));
+  plan["scenario"]["moving"][0]["track"] = {{0, 8, 0.5}, {39, 8, 7.4}};
+  std::ofstream{folder_ / "slower.json"} << plan.dump();
+  const Outcome slower = run("verify slower.json");
+  EXPECT_EQ(slower.status, 1) << slower.out;
+  EXPECT_NE(slower.out.find("person"), std::string::npos) << slower.out;
+}
+
 TEST_F(CommandLine, AMovingStartIsPlannedFrom) {
   Json moving = scenario();
   moving["start"] = {{"pose", {9.5, 7.0, 0.0}}, {"speed", -0.8}, {"curvature", 0.2}};

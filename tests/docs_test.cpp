@@ -49,6 +49,28 @@ TEST_F(CommandLine, TheDocumentsZonesAreRead) {
   EXPECT_EQ(Json::parse(slurp((folder_ / "o/plan.json").string()))["scenario"]["zones"].size(), 5U);
 }
 
+TEST_F(CommandLine, TheDocumentsObstaclesAreRead) {
+  Json s = {{"format", "waywright-scenario/1"},
+            {"map", {{"generate", "WOA-2"}}},
+            {"vehicle", Json::parse(slurp(WAYWRIGHT_SOURCE_DIR "/examples/vehicles/wheelchair.json"))},
+            {"start", {1.5, 1.5, 0.785}},
+            {"goal", {18.5, 18.5, 0.785}},
+            {"planner", {{"name", "visibility_graph"}}}};
+  const std::string moving = block_after("moving");
+  ASSERT_FALSE(moving.empty());
+  s["moving"] = Json::parse(moving);
+  const Outcome planned = run("plan " + write(s) + " -o o");
+  EXPECT_EQ(planned.status, 0) << planned.out << planned.err;
+  EXPECT_EQ(Json::parse(slurp(folder_ / "o/plan.json"))["scenario"]["moving"].size(), 2U);
+  const std::string seen = block_after("seen");
+  ASSERT_FALSE(seen.empty());
+  std::ofstream{folder_ / "seen.json"} << seen;
+  const Outcome again = run("replan o/plan.json --after 6 --obstacles seen.json -o r");
+  EXPECT_EQ(again.status, 0) << again.out << again.err;
+  EXPECT_EQ(Json::parse(slurp(folder_ / "r/plan.json"))["scenario"]["moving"].size(), 3U);
+  EXPECT_EQ(run("verify r/plan.json").status, 0);
+}
+
 TEST_F(CommandLine, TheDocumentsTableOfStationsIsRead) {
   const std::string table = block_after("checked");
   ASSERT_FALSE(table.empty());

@@ -68,7 +68,9 @@ int verify(const std::filesystem::path& plan);
 
 struct ReplanArguments {
   std::filesystem::path plan;
-  std::string at;                  ///< s after the plan's start
+  std::optional<std::string> at;     ///< s after the plan's start
+  std::optional<std::string> after;  ///< or m after it
+  std::optional<std::filesystem::path> obstacles;  ///< obstacles.json: what has been seen
   std::optional<std::string> shelf, goal, pose;  ///< "X,Y,HEADING" as measured; absent: as it was
   std::optional<std::filesystem::path> out;
   bool json = false;

@@ -46,9 +46,11 @@ int run(int argc, char** argv) {
   verify_command->callback([&] { status = verify(plan_file); });
 
   ReplanArguments replan_arguments;
-  auto* replan_command = app.add_subcommand("replan", "while a plan is driven and the shelf, the goal or the vehicle is elsewhere by centimetres: what is left is carried along with its ends, as long as a bend is left to do so, else planned anew");
+  auto* replan_command = app.add_subcommand("replan", "while a plan is driven and obstacles appear: what is left is kept, mended or planned anew, and waits for what moves; or the shelf, the goal or the vehicle is elsewhere by centimetres: what is left is carried along with its ends, as long as a bend is left to do so, else planned anew");
   replan_command->add_option("PLAN", replan_arguments.plan, "plan.json that is being driven")->required();
-  replan_command->add_option("--at", replan_arguments.at, "s since its start")->required();
+  replan_command->add_option("--at", replan_arguments.at, "s since its start");
+  replan_command->add_option("--after", replan_arguments.after, "m that the vehicle has driven of it, instead of --at");
+  replan_command->add_option("--obstacles", replan_arguments.obstacles, "obstacles.json: what has been seen then, that stands or moves");
   replan_command->add_option("--shelf", replan_arguments.shelf, "X,Y,HEADING: centre and heading of the shelf as it is now");
   replan_command->add_option("--goal", replan_arguments.goal, "X,Y,HEADING: the goal as it is now, of a mission without a station");
   replan_command->add_option("--pose", replan_arguments.pose, "X,Y,HEADING: where the vehicle is (default: where the plan has it)");

@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <utility>
 
 #include "numbers.hpp"
 #include "outputs.hpp"
+#include "waywright/io/obstacles_io.hpp"
 #include "waywright/io/plan_io.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/judge/judge.hpp"
+#include "waywright/planner/replan_seen.hpp"
+#include "waywright/planner/rest_of_plan.hpp"
 #include "waywright/report/report.hpp"
 #include "waywright/report/words.hpp"
 
@@ -45,16 +49,39 @@ Parsed<void> change(const ReplanArguments& arguments, Scenario& scenario) {
   return {};
 }
 
-std::string situation_sentence(const std::string& at, const Handover& now) {
-  const std::string start = fmt::format("After {} s the vehicle has driven {:.2f} m of the old plan", at, now.driven);
+std::string situation_sentence(double at, const Handover& now) {
+  const std::string start = fmt::format("After {:g} s the vehicle has driven {:.2f} m of the old plan", at, now.driven);
   if (now.motion.speed == 0.0) return start + " and stands.";
   return start + fmt::format(" and moves {} at {:.3f} m/s with a curvature of {:.3f} 1/m.", now.motion.speed < 0.0 ? "backwards" : "forwards", std::abs(now.motion.speed),
                              now.motion.curvature);
 }
 
+/// s after the plan's start, of what the options say. @pre the plan has samples
+Parsed<double> time_of(const ReplanArguments& arguments, const std::vector<Sample>& samples) {
+  if (arguments.at && arguments.after) return tl::unexpected{InputError{"", "--after", "--at is given too", "one of the two"}};
+  if (!arguments.at && !arguments.after) return tl::unexpected{InputError{"", "--at", "it is missing", "--at SECONDS or --after METRES"}};
+  if (arguments.after) {
+    const double whole = samples.back().s;
+    const auto driven = numbers_from(*arguments.after, std::array<char, 0>{});
+    if (!driven || !((*driven)[0] >= 0.0 && (*driven)[0] < whole)) {
+      return tl::unexpected{InputError{"", "--after", fmt::format("\"{}\" is not within the plan's length in m", *arguments.after), fmt::format("0 to less than {:.3f}", whole)}};
+    }
+    return time_at(samples, (*driven)[0]);
+  }
+  const double ends = samples.back().t;
+  const auto at = numbers_from(*arguments.at, std::array<char, 0>{});
+  if (!at || !((*at)[0] >= 0.0 && (*at)[0] < ends)) {
+    return tl::unexpected{InputError{"", "--at", fmt::format("\"{}\" is not within the plan's time in s", *arguments.at), fmt::format("0 to less than {:.3f}", ends)}};
+  }
+  return (*at)[0];
+}
+
+int replan_among_seen(const ReplanArguments& arguments);
+
 }  // namespace
 
 int replan(const ReplanArguments& arguments) {
+  if (arguments.obstacles) return replan_among_seen(arguments);
   auto old = read_plan(arguments.plan);
   if (!old) return complain(old.error());
   const auto complain_of = [&](InputError error, const char* within) {
@@ -80,19 +107,17 @@ int replan(const ReplanArguments& arguments) {
   }();
   if (!verification) return complain_of(verification.error(), "");
   if (!verification->holds) return complain_of({"", "path", "the plan is not proven: " + verification->findings.front(), "a plan that `waywright verify` confirms"}, "");
-  const double ends = old->samples.back().t;
-  const auto at = numbers_from(arguments.at, std::array<char, 0>{});
-  if (!at || !((*at)[0] >= 0.0 && (*at)[0] < ends)) {
-    return complain({"", "--at", fmt::format("\"{}\" is not within the plan's time in s", arguments.at), fmt::format("0 to less than {:.3f}", ends)});
-  }
-  const Handover now = handover_at(old->path, old->samples, (*at)[0]);
-  if (now.is_turning) return complain({"", "--at", fmt::format("the vehicle turns on the spot {} s after the start", arguments.at), "a time at which it drives or stands"});
+  const auto at = time_of(arguments, old->samples);
+  if (!at) return complain(at.error());
+  const Handover now = handover_at(old->path, old->samples, *at);
+  if (now.is_turning) return complain({"", "--at", fmt::format("the vehicle turns on the spot {:g} s after the start", *at), "a time at which it drives or stands"});
   if (was->pocket() && now.driven > length(old->path) - length(was->pocket_stretch()) + 1e-6) {
-    return complain({"", "--at", fmt::format("the forks are in the shelf {} s after the start, and nothing is planned anew there", arguments.at), "an earlier time"});
+    return complain({"", "--at", fmt::format("the forks are in the shelf {:g} s after the start, and nothing is planned anew there", *at), "an earlier time"});
   }
   Scenario scenario = old->scenario;
   scenario.start = now.pose;
   scenario.start_motion = now.motion;
+  for (MovingObstacle& obstacle : scenario.moving) obstacle = seen_from(obstacle, *at);
   constexpr std::string_view mark = ", replanned";
   if (!scenario.name.ends_with(mark)) scenario.name += mark;
   if (auto changed = change(arguments, scenario); !changed) return complain(changed.error());
@@ -116,7 +141,7 @@ int replan(const ReplanArguments& arguments) {
   }();
   if (!plan) return complain_of(plan.error(), "");
   plan->explanation.insert(plan->explanation.begin(),
-                           situation_sentence(arguments.at, now));
+                           situation_sentence(*at, now));
   note_all({}, warnings(*plan));
   if (write) {
     if (auto written = write_plan(folder, *problem, *plan); !written) return complain(written.error());
@@ -125,5 +150,57 @@ int replan(const ReplanArguments& arguments) {
                                       : print(plan_text(*plan) + fmt::format("written: {0}/plan.json, {0}/plan.svg, {0}/report.html\n", folder.string()));
   return plan->status == Status::solved && printed ? solved : not_solved;
 }
+
+namespace {
+
+int replan_among_seen(const ReplanArguments& arguments) {
+  for (const auto& [option, given] : {std::pair{"--shelf", arguments.shelf.has_value()}, {"--goal", arguments.goal.has_value()}, {"--pose", arguments.pose.has_value()}}) {
+    if (given) return complain({"", option, "it does not go with --obstacles: the vehicle is where the plan has it, and goes where it was to go", "--obstacles alone"});
+  }
+  auto old = read_plan(arguments.plan);
+  if (!old) return complain(old.error());
+  const auto complain_of = [&](InputError error) {
+    if (error.file.empty() && error.field.rfind("--", 0) != 0) {
+      error.file = arguments.plan.string();
+      error.field = "scenario." + error.field;
+    }
+    return complain(error);
+  };
+  if (auto one = refuse_legs(old->scenario, arguments.plan, "a mission in legs is not planned anew while it is driven", "a plan of one goal or station"); !one) {
+    one.error().field = "scenario.legs";
+    return complain(one.error());
+  }
+  const auto seen = read_obstacles(*arguments.obstacles);
+  if (!seen) return complain(seen.error());
+  const auto verification = [&] {
+    const Interruptible interruptible;
+    return verify(*old);
+  }();
+  if (!verification) return complain_of(verification.error());
+  if (!verification->holds) return complain({arguments.plan.string(), "path", "the plan is not proven: " + verification->findings.front(), "a plan that `waywright verify` confirms"});
+  const auto at = time_of(arguments, old->samples);
+  if (!at) return complain(at.error());
+  const Handover now = handover_at(old->path, old->samples, *at);
+
+  auto plan = [&] {
+    const Interruptible interruptible;
+    return waywright::replan(*old, *at, *seen, interruptible.flag());
+  }();
+  if (!plan) return plan.error().field.empty() ? complain({"", "--at", plan.error().problem, plan.error().allowed}) : complain_of(plan.error());
+  const auto problem = Problem::prepare(plan->scenario);
+  if (!problem) return complain_of(problem.error());
+  plan->explanation.insert(plan->explanation.begin(), now.is_turning ? fmt::format("After {:g} s the vehicle has driven {:.2f} m of the old plan and turns on the spot; it begins to stand there.", *at, now.driven) : situation_sentence(*at, now));
+  const std::filesystem::path folder = arguments.out.value_or(default_folder(plan->scenario.name));
+  note_all(seen->still.notes, warnings(*plan));
+  if (!arguments.json || arguments.out) {
+    if (auto ready = prepare_folder(folder); !ready) return complain(ready.error());
+    if (auto written = write_plan(folder, *problem, *plan); !written) return complain(written.error());
+  }
+  const bool printed = arguments.json ? print_raw(plan_json(*plan))
+                                      : print(plan_text(*plan) + fmt::format("written: {0}/plan.json, {0}/plan.svg, {0}/report.html\n", folder.string()));
+  return plan->status == Status::solved && printed ? solved : not_solved;
+}
+
+}  // namespace
 
 }  // namespace waywright::app

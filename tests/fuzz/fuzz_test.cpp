@@ -69,7 +69,7 @@ TEST_P(Fuzz, SeedsAndTheirMutationsKeepEveryPromise) {
 
 INSTANTIATE_TEST_SUITE_P(Targets, Fuzz,
                          testing::Values(Quota{"scenario", 30'000, 1000, 10'000}, Quota{"plan", 30'000, 1000, 10'000}, Quota{"poses", 30'000, 1000, 5'000}, Quota{"site", 30'000, 1000, 5'000},
-                                         Quota{"whale_config", 30'000, 500, 10'000},
+                                         Quota{"whale_config", 30'000, 500, 10'000}, Quota{"obstacles", 30'000, 1000, 5'000},
                                          Quota{"image", 20'000, 1000, 5'000}, Quota{"ros_map", 10'000, 500, 1'000}, Quota{"movingai", 10'000, 40, 1'000}, Quota{"svg", 20'000, 500, 5'000}, Quota{"rmf", 12'000, 500, 3'000}, Quota{"opentcs", 12'000, 500, 3'000}, Quota{"trace", 3'000, 1'000, 0}, Quota{"dxf", 6'000, 500, 500}, Quota{"station", 600, 50, 50}),
                          [](const auto& entry) { return std::string{entry.param.target}; });
 

@@ -32,6 +32,7 @@ Outcome run_scenario(const std::string& text);     ///< scenario.json: read, wri
 Outcome run_plan(const std::string& text);         ///< plan.json: read, written, read back, verified
 Outcome run_poses(const std::string& text);        ///< poses as CSV: read, judged
 Outcome run_site(const std::string& text);         ///< stations.csv: read, each row written as a scenario, read back, prepared
+Outcome run_obstacles(const std::string& text);    ///< obstacles.json: read, written, read back
 Outcome run_whale_config(const std::string& text); ///< a publication's configuration file: read, written as a scenario, read back
 Outcome run_image(const std::string& bytes);       ///< PGM and PNG: decoded, encoded, decoded back
 Outcome run_ros_map(const std::string& bytes);     ///< a ROS map's yaml, a zero byte, its picture
@@ -47,6 +48,7 @@ std::vector<std::string> scenario_seeds();
 std::vector<std::string> plan_seeds();
 std::vector<std::string> poses_seeds();
 std::vector<std::string> site_seeds();
+std::vector<std::string> obstacles_seeds();
 std::vector<std::string> whale_config_seeds();
 std::vector<std::string> image_seeds();
 std::vector<std::string> ros_map_seeds();
@@ -62,6 +64,7 @@ inline const std::vector<Target>& targets() {
   static const std::vector<Target> all{{"scenario", run_scenario, scenario_seeds, true}, {"plan", run_plan, plan_seeds, true},
                                        {"poses", run_poses, poses_seeds},                {"image", run_image, image_seeds},
                                        {"site", run_site, site_seeds},                  {"whale_config", run_whale_config, whale_config_seeds, true},
+                                       {"obstacles", run_obstacles, obstacles_seeds, true},
                                        {"ros_map", run_ros_map, ros_map_seeds},          {"movingai", run_movingai, movingai_seeds},          {"svg", run_svg, svg_seeds}, {"rmf", run_rmf, rmf_seeds}, {"opentcs", run_opentcs, opentcs_seeds}, {"trace", run_trace, trace_seeds},
                                                 {"dxf", run_dxf, dxf_seeds},                      {"station", run_station, station_seeds}};
   return all;

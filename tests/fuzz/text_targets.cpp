@@ -5,6 +5,7 @@
 
 #include "tests/fuzz/sentences.hpp"
 #include "tests/fuzz/target.hpp"
+#include "waywright/io/obstacles_io.hpp"
 #include "waywright/io/plan_io.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/io/site_csv.hpp"
@@ -146,6 +147,26 @@ Outcome run_site(const std::string& text) {
   return Outcome::accepted;
 }
 
+Outcome run_obstacles(const std::string& text) {
+  const auto seen = parse_obstacles(text, "obstacles.json");
+  if (!seen) {
+    require_sentence(seen.error());
+    return Outcome::refused;
+  }
+  for (const MovingObstacle& obstacle : seen->moving) {
+    require(!obstacle.track.empty(), "what moves is somewhere");
+    for (std::size_t i = 1; i < obstacle.track.size(); ++i) require(obstacle.track[i].t > obstacle.track[i - 1].t, "times rise");
+    const MovingPlaces places{obstacle};
+    for (const double t : {0.0, 0.5 * obstacle.track.back().t, obstacle.track.back().t + 7.0}) {
+      require(is_finite(obstacle.at(t)), "it is somewhere at any time");
+      require(distance(obstacle.at(t).position(), places.between(t, t + 1.0).pose.position()) <= places.between(t, t + 1.0).reach * (1.0 + 1e-9) + 1e-6, "what bounds its motion holds");
+    }
+  }
+  const auto again = parse_obstacles(obstacles_json(*seen), "again");
+  require(again.has_value() && obstacles_json(*again) == obstacles_json(*seen), "what is written reads back to the same bits");
+  return Outcome::accepted;
+}
+
 Outcome run_whale_config(const std::string& text) {
   const auto configured = parse_whale_config(text, "config.json", "nowhere");
   if (!configured) {
@@ -224,6 +245,12 @@ std::vector<std::string> plan_seeds() {
     return plan_json(join_legs(mission, std::move(legs)));
   };
   return {plan_json(every), plan_json(holds), plan_json(through_zones), legs_of(2), legs_of(1)};
+}
+
+std::vector<std::string> obstacles_seeds() {
+  return {R"({"format": "waywright-obstacles/1", "obstacles": [[[11.5, 11.5], [13, 11.5], [13, 13], [11.5, 13]]], "lines": [[[0, 0], [1, 1]]], "points": [[2, 3]]})",
+          R"({"format": "waywright-obstacles/1", "moving": [{"name": "person", "footprint": {"disc": 0.3}, "track": [[0, 1, 2], [4.5, 3, 2, 1.5], [9, 0, 0]], "velocity": [0.5, 0],
+ "spread": 0.05, "range": 1, "free_for": 1, "patience": 10}, {"footprint": [[0, 0], [1, 0], [1, 1]], "velocity": [-1, 0.5]}]})"};
 }
 
 std::vector<std::string> whale_config_seeds() {

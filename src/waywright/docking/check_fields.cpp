@@ -120,6 +120,7 @@ void check_station(Checker& check, Station& station) {
 }  // namespace
 
 std::optional<InputError> check_fields(Scenario& scenario) {
+  if (!scenario.moving.empty()) return InputError{"", "moving", "a docking session knows nothing of obstacles that move", "none"};
   Checker check;
   check.rings("map.boundary", scenario.map.boundaries);
   check.rings("map.obstacles", scenario.map.obstacles);

@@ -67,6 +67,7 @@ TEST(Docking, BadFieldsAreRefusedByName) {
   EXPECT_EQ(sentence([&](Scenario& s) { std::get<Station>(s.mission).shelf.width = nan; }), "station.shelf.size");
   EXPECT_EQ(sentence([&](Scenario& s) { std::get<Station>(s.mission).shelf.slot = 9.0; }), "station.shelf.slot");
   EXPECT_EQ(sentence([&](Scenario& s) { s.clearance = -0.1; }), "clearance");
+  EXPECT_EQ(sentence([](Scenario& s) { s.moving.emplace_back(); }), "moving");
   Scenario clockwise = fixture::station(Id::d0);
   std::reverse(std::get<Station>(clockwise.mission).area.begin(), std::get<Station>(clockwise.mission).area.end());
   EXPECT_TRUE(Docking::prepare(clockwise)) << "repaired";

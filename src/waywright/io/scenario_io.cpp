@@ -10,6 +10,7 @@
 #include "waywright/io/files.hpp"
 #include "waywright/io/map_json.hpp"
 #include "waywright/io/mission_json.hpp"
+#include "waywright/io/moving_json.hpp"
 #include "waywright/io/scenario_json.hpp"
 #include "waywright/io/vehicle_io.hpp"
 #include "waywright/io/zones_json.hpp"
@@ -24,16 +25,6 @@ constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
 
 constexpr double fastest = 1e3;  // m/s
 constexpr double sharpest = 1e3;  // 1/m
-
-/// A list that may stand there as long as it is empty.
-void not_yet(const Node& node, const char* field) {
-  if (!node.has(field)) return;
-  const Node list = node.at(field);
-  if (!list.is_array())
-    list.fail(fmt::format("it is {}", kind_of(list.json())), "an array");
-  else if (!list.json().empty())
-    list.fail("it is not supported yet", "an empty array");
-}
 
 void read_start(const Node& node, Scenario& scenario) {
   if (!node.is_object()) {
@@ -205,7 +196,10 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder, const Site
   if (node.has("pose_error")) scenario.pose_error = read_pose_error(node.at("pose_error"));
   if (node.has("zones")) scenario.zones = read_zones(node.at("zones"), notes);
   if (site == nullptr && !node.failed()) doubt_zones(scenario, notes);
-  not_yet(node, "moving");
+  if (node.has("moving")) scenario.moving = read_moving(node.at("moving"), notes);
+  if (!node.failed() && !scenario.moving.empty() && !scenario.legs.empty()) {
+    node.at("moving").fail("a mission in legs has no place for it yet, since a leg knows nothing of the time before it", "an empty array, or a mission of one goal or station");
+  }
   if (node.has("budget")) scenario.budget = read_budget(node.at("budget"));
   if (!scenario.waypoints.empty()) scenario.planner.name = planner_through_waypoints;
   if (std::holds_alternative<FreeGoal>(scenario.mission)) scenario.planner.name = planner_to_free_goals;
@@ -267,6 +261,7 @@ Json scenario_to_json(const Scenario& scenario) {
                      {"longitudinal", scenario.pose_error.longitudinal},
                      {"heading", scenario.pose_error.heading}};
   j["zones"] = zones_to_json(scenario.zones);
+  if (!scenario.moving.empty()) j["moving"] = moving_to_json(scenario.moving);
   j["budget"] = budget_to_json(scenario.budget);
   j["planner"] = parameters_to_json(scenario.planner.parameters, &scenario.planner.name);
   j["seed"] = scenario.seed;

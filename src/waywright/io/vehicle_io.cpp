@@ -26,24 +26,6 @@ Ring read_outline(const Node& node, std::vector<std::string>& notes) {
   return read_ring(node, notes);
 }
 
-Footprint read_footprint(const Node& node, std::vector<std::string>& notes) {
-  Footprint footprint;
-  if (node.is_object()) {
-    if (node.is_object_of({"disc"})) footprint.disc = node.at("disc").number(0.0, longest);
-    return footprint;
-  }
-  if (!node.is_array()) {
-    node.fail(fmt::format("it is {}", kind_of(node.json())), "a polygon [[x, y], ...] or {\"disc\": radius}");
-    return footprint;
-  }
-  footprint.polygon = read_outline(node, notes);
-  if (!node.failed() && footprint.radius() > longest) {
-    node.fail(fmt::format("it reaches {:g} m from the origin", footprint.radius()),
-              fmt::format("at most {} m", longest));
-  }
-  return footprint;
-}
-
 /// One polygon, or a list of polygons.
 std::vector<Ring> read_forks(const Node& node, std::vector<std::string>& notes) {
   const Json& json = node.json();
@@ -59,11 +41,6 @@ std::vector<Ring> read_forks(const Node& node, std::vector<std::string>& notes) 
     if (node.failed()) return {};
   }
   return forks;
-}
-
-Json footprint_to_json(const Footprint& footprint) {
-  if (footprint.is_disc()) return Json{{"disc", footprint.disc}};
-  return to_json(footprint.polygon);
 }
 
 Drive read_drive(const Node& node) {
@@ -149,6 +126,29 @@ Json limits_to_json(const Limits& limits) {
 }
 
 }  // namespace
+
+Footprint read_footprint(const Node& node, std::vector<std::string>& notes, double reach) {
+  Footprint footprint;
+  if (node.is_object()) {
+    if (node.is_object_of({"disc"})) footprint.disc = node.at("disc").number(0.0, reach);
+    return footprint;
+  }
+  if (!node.is_array()) {
+    node.fail(fmt::format("it is {}", kind_of(node.json())), "a polygon [[x, y], ...] or {\"disc\": radius}");
+    return footprint;
+  }
+  footprint.polygon = read_outline(node, notes);
+  if (!node.failed() && footprint.radius() > reach) {
+    node.fail(fmt::format("it reaches {:g} m from the origin", footprint.radius()),
+              fmt::format("at most {:g} m", reach));
+  }
+  return footprint;
+}
+
+Json footprint_to_json(const Footprint& footprint) {
+  if (footprint.is_disc()) return Json{{"disc", footprint.disc}};
+  return to_json(footprint.polygon);
+}
 
 Json to_json(Vec2 p) { return Json::array({p.x, p.y}); }
 Json to_json(const Pose& p) { return Json::array({p.x, p.y, p.heading}); }

@@ -16,6 +16,10 @@ Parsed<Vehicle> read_vehicle_file(const std::filesystem::path& file, const std::
                                   std::vector<std::string>& notes);
 Json vehicle_to_json(const Vehicle& vehicle);
 
+/// A polygon of at most 500 corners or {"disc": radius}, nothing of it farther than `reach` m from its origin.
+Footprint read_footprint(const Node& node, std::vector<std::string>& notes, double reach = 1e3);
+Json footprint_to_json(const Footprint& footprint);
+
 /// A polygon of corners within ±most, repaired where that is safe; `notes` receives what was mended, with the
 /// field's name.
 Ring read_ring(const Node& node, std::vector<std::string>& notes, double most = largest_coordinate);

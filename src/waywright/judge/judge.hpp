@@ -2,8 +2,10 @@
 #pragma once
 
 #include <atomic>
+#include <span>
 
 #include "waywright/judge/plan.hpp"
+#include "waywright/judge/waits.hpp"
 #include "waywright/scenario/problem.hpp"
 
 namespace waywright {
@@ -11,7 +13,12 @@ namespace waywright {
 /// Fills path, samples (with t and speed), metrics, certificate, status, reason, version, scenario, timing.prove.
 /// Nothing here knows of planners.
 /// Once `cancel` is raised, the plan ends as canceled, without samples.
-Plan judge(const Problem& problem, Path path, const std::atomic<bool>* cancel = nullptr);
+/// Among moving obstacles the times are those of timed_past_moving, with what waits are wanted; where there are none that serve, the plan is unproven and tells its hindrance.
+Plan judge(const Problem& problem, Path path, const std::atomic<bool>* cancel = nullptr, std::span<const WantedWait> wanted = {});
+/// The same with the fastest profile, whatever moves: what `verify` holds other times against.
+Plan judge_as_if_nothing_moved(const Problem& problem, Path path);
+/// judge() of a path that was proven elsewhere: samples, speed, metrics and status of it.
+Plan judge_proven(const Problem& problem, Path path, const Proof& proof, const std::atomic<bool>* cancel = nullptr, std::span<const WantedWait> wanted = {});
 
 /// Clearance of what drives at each sample of a path, m, capped; on the stretch in a shelf's pocket that of everything but the forks.
 std::vector<double> clearances_along(const Problem& problem, const Path& path, const std::vector<Sample>& samples);

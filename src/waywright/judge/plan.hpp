@@ -63,6 +63,38 @@ struct LegResult {
   std::vector<Sample> driven;  ///< where the mission came no further than a later leg: this one's path, for the picture
 };
 
+/// The vehicle stands for a while to let a moving obstacle pass.
+struct Wait {
+  double s = 0.0;             ///< m
+  Pose pose{};
+  double from = 0.0, until = 0.0;  ///< s
+  std::size_t obstacle = 0;   ///< index into the scenario's `moving`
+  double ahead = 0.0;         ///< m of way from here to where the obstacle comes in the way
+  bool stays = false;         ///< it has not passed: the way leads around it from here on
+};
+
+/// What no timing of a path gets past.
+struct Hindrance {
+  enum class Kind {
+    cannot_stop,  ///< the vehicle would meet it before it stands
+    comes,        ///< it comes to where the vehicle can stand at the latest
+    stands,       ///< it stays in the way
+  };
+  Kind kind = Kind::stands;
+  std::size_t obstacle = 0;
+  double s = 0.0;          ///< m, where the vehicle stands then, or would
+  double from = 0.0;       ///< s, when it comes to stand there
+  double ahead = 0.0;      ///< m of way to where it is hindered
+  double braking = 0.0;    ///< m, that it needs to come to rest; 0 where it stands
+};
+
+/// Of a plan that was made while another one was driven: for pictures; in no file.
+struct Replanned {
+  std::vector<Pose> driven;      ///< of the old plan, up to where the vehicle is
+  std::vector<Ring> obstacles;   ///< what appeared: polygons, and points as rings of one
+  std::vector<Polyline> lines;
+};
+
 struct Plan {
   std::string version;
   Status status = Status::no_path;
@@ -83,6 +115,9 @@ struct Plan {
   std::vector<Alternative> alternatives;
   std::optional<Optimality> optimality;
   std::optional<SearchPicture> search;  ///< for pictures; in no file
+  std::optional<Replanned> replanned;   ///< likewise
+  std::vector<Wait> waits;              ///< of its samples, for words and pictures; in no file
+  std::optional<Hindrance> hindrance;   ///< likewise; then it is not proven
   std::vector<LegResult> legs;  ///< of a mission in legs, as far as it came; else none
 };
 

@@ -88,4 +88,23 @@ Path remainder(const Path& path, double driven) {
   return rest;
 }
 
+Path beginning(const Path& path, double s) {
+  Path until;
+  for (const Piece& piece : path.pieces) {
+    const double here = length(piece);
+    if (!until.pieces.empty() && s <= same_place) break;
+    if (piece.direction != 0 && s < here - same_place) {
+      // Cut from its other end, as it would be driven back.
+      Path whole;
+      whole.pieces.push_back(piece);
+      const Path back = remainder(reversed(whole), here - std::max(s, same_place));
+      until.pieces.push_back(reversed(back).pieces.front());
+      break;
+    }
+    until.pieces.push_back(piece);
+    s -= here;
+  }
+  return until;
+}
+
 }  // namespace waywright

@@ -51,6 +51,23 @@ TEST(Remainder, TwiceIsOnceByTheSum) {
   }
 }
 
+TEST(Remainder, WithWhatLiesBeforeItIsThePath) {
+  const Path path = mixed();
+  const double whole = length(path);
+  for (double s = 0.0; s <= whole; s += 0.0371) {
+    const Path before = beginning(path, s), rest = remainder(path, s);
+    EXPECT_NEAR(length(before), std::max(s, 1e-9), 3e-9) << s;
+    EXPECT_EQ(start_pose(before), start_pose(path));
+    EXPECT_NEAR(distance(end_pose(before).position(), start_pose(rest).position()), 0.0, 1e-8) << s;
+    // Of the same direction they join without a bend.
+    if (before.pieces.back().direction == rest.pieces.front().direction) {
+      EXPECT_NEAR(shorter_turn(end_pose(before).heading, start_pose(rest).heading), 0.0, 1e-6) << s;
+    }
+    EXPECT_GE(before.pieces.size() + rest.pieces.size(), path.pieces.size());
+  }
+  EXPECT_EQ(length(beginning(path, 1e9)), whole);
+}
+
 TEST(Remainder, IsNeverEmpty) {
   const Path path = mixed();
   EXPECT_EQ(length(remainder(path, -1.0)), length(path));

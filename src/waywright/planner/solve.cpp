@@ -3,6 +3,7 @@
 
 #include "waywright/judge/judge.hpp"
 #include "waywright/planner/blocking_zones.hpp"
+#include "waywright/planner/go_around.hpp"
 #include "waywright/planner/registry.hpp"
 #include "waywright/planner/solve_words.hpp"
 
@@ -44,6 +45,13 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
     plan.optimality = result->optimality;
     plan.search = std::move(result->search);
     if (problem.motion() && !description->goes_on_in_motion) plan.explanation.insert(plan.explanation.begin(), stop_sentence(problem));
+    if (plan.hindrance) {
+      plan.planner = description->name;
+      plan.parameters = *parameters;
+      auto led = led_around(problem, std::move(plan), cancel);
+      if (!led) return led;
+      plan = std::move(*led);
+    }
     explain_mission(problem, plan, plan.explanation);
     plan.explanation.push_back(plan.status == Status::solved ? proof_sentence(problem, plan)
                                                              : plan.status == Status::canceled ? "The run was interrupted: this path is not proven." : "This path is not proven: " + plan.reason + ".");
@@ -58,11 +66,11 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
   }
   const bool heeds_zones = description->heeds_zones && description->heeds_zones(*parameters);
   if (std::string sentence = unheeded_zones_sentence(problem, description->name, heeds_zones); !sentence.empty()) plan.explanation.push_back(std::move(sentence));
-  plan.timing.prepare = prepared_in;
-  plan.timing.plan = planned_in;
-  plan.effort.evaluations = budget.evaluations();
-  plan.effort.expansions = budget.expansions();
-  plan.reproducible = !budget.cut_short() && !budget.canceled();
+  plan.timing.prepare += prepared_in;
+  plan.timing.plan += planned_in;
+  plan.effort.evaluations += budget.evaluations();
+  plan.effort.expansions += budget.expansions();
+  plan.reproducible = plan.reproducible && !budget.cut_short() && !budget.canceled();
   return finish(std::move(plan));
 }
 

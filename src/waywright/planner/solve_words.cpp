@@ -34,6 +34,18 @@ std::string stop_sentence(const Problem& problem) {
                      motion.direction < 0 ? "backwards" : "forwards", motion.speed, length(problem.stopping_stretch()), motion.curvature);
 }
 
+std::string wait_sentence(const Problem& problem, const Wait& wait) {
+  const MovingObstacle& obstacle = problem.scenario().moving[wait.obstacle];
+  const std::string who = one_line(title_of(obstacle, wait.obstacle));
+  const std::string stop = wait.s > 0.0 ? fmt::format("After {:.1f} s, at s = {:.2f} m, the vehicle stops for {}", wait.from, wait.s, who) : fmt::format("The vehicle stands for {}", who);
+  if (wait.stays) return stop + fmt::format(" and waits until {:.1f} s; then it goes around it.", wait.until);
+  // From a motion it may be too late to stop as far away as the rule has it.
+  const auto& motion = problem.motion();
+  const bool is_late = motion && wait.ahead < obstacle.range && wait.s <= 0.5 * motion->speed * motion->speed / problem.vehicle().limits.deceleration + 2.0 * sample_step;
+  return stop + fmt::format(", which comes into its way {:.2f} m ahead{}, and goes on after {:.1f} s, when its way has been clear for {:g} s.", wait.ahead,
+                            is_late ? fmt::format(" (it wants {:g} m, and cannot stop before)", obstacle.range) : std::string{}, wait.until, obstacle.free_for);
+}
+
 void explain_mission(const Problem& problem, const Plan& plan, std::vector<std::string>& text) {
   const Scenario& scenario = problem.scenario();
   if (problem.is_driven_back()) {
@@ -43,6 +55,13 @@ void explain_mission(const Problem& problem, const Plan& plan, std::vector<std::
     const Pose end = end_pose(plan.path);
     text.push_back(fmt::format("The goal leaves the heading free{}: the vehicle ends at ({:.3f}, {:.3f}) with {:.4f} rad, as its last drive has it.",
                                problem.free_goal()->is_point() ? "" : ", and the place within its region", end.x, end.y, end.heading));
+  }
+  for (const Wait& wait : plan.waits) text.push_back(wait_sentence(problem, wait));
+  if (!scenario.moving.empty() && plan.status == Status::solved) {
+    text.push_back(fmt::format("Proven in time: at every moment of the plan the footprint {} {} wherever {} can be then.",
+                               problem.required_clearance() > 0.0 ? fmt::format("keeps more than {:.3f} m from", problem.required_clearance()) : std::string{"does not touch"},
+                               scenario.moving.size() == 1 ? one_line(title_of(scenario.moving.front(), 0)) : fmt::format("{} moving obstacles,", scenario.moving.size()),
+                               scenario.moving.size() == 1 ? "it" : "they"));
   }
   if (!scenario.carried_load.empty()) {
     text.push_back(fmt::format("The load \"{}\" is carried all the way and belongs to the footprint{}.", scenario.carried_load,

@@ -15,6 +15,9 @@ std::string proof_sentence(const Problem& problem, const Plan& plan);
 /// What the mission adds to what the planner was asked.
 void explain_mission(const Problem& problem, const Plan& plan, std::vector<std::string>& text);
 
+/// Where, when and for whom the vehicle waits.
+std::string wait_sentence(const Problem& problem, const Wait& wait);
+
 /// What of the scenario's zones the planner does not look at. Empty where it heeds them, or where none directs or weighs.
 std::string unheeded_zones_sentence(const Problem& problem, const std::string& planner, bool heeds_zones);
 

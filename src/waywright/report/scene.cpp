@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "waywright/geometry/polygon.hpp"
+#include "waywright/report/scene_moving.hpp"
 #include "waywright/report/scene_parts.hpp"
 #include "waywright/report/scene_search.hpp"
 #include "waywright/report/scene_zones.hpp"
@@ -53,12 +54,15 @@ class Scene {
     draw_zone_areas(svg_, problem_.scenario().zones);
     draw_zones();
     numbered_ = draw_map(svg_, problem_.scenario(), canvas_.region);
+    if (plan_.replanned) draw_replanned(svg_, *plan_.replanned);
     if (plan_.search) draw_search(svg_, *plan_.search, canvas_.region);
     draw_sweep(svg_, problem_.footprint(), plan_.samples);
     draw_alternatives();
     draw_path(svg_, plan_.samples);
+    draw_moving(svg_, canvas_, plan_);
     draw_zone_names(svg_, problem_.scenario().zones, canvas_.region);
     draw_stops();
+    draw_waits(svg_, canvas_, plan_);
     draw_waypoints(svg_, problem_.scenario());
     draw_vehicle(svg_, problem_.footprint(), problem_.first_pose(), "S");
     draw_goal(svg_, problem_, plan_, end_name());
@@ -108,6 +112,7 @@ class Scene {
     if (!problem_.scenario().waypoints.empty()) entries.push_back({"waypoint", Shape::dot, "1, 2, 3 …: waypoints in order"});
     if (stops_) entries.push_back({"stop", Shape::square, "stop where the curvature jumps"});
     if (crowded_) entries.push_back({"", Shape::none, "marks are left out where they are too near to each other"});
+    for (LegendEntry& entry : moving_legend(plan_)) entries.push_back(std::move(entry));
     if (const auto* station = std::get_if<Station>(&problem_.scenario().mission)) {
       entries.push_back({"shelf", Shape::box, "shelf, loading face bold"});
       if (station->insertion) entries.push_back({"pocket", Shape::box, "pocket"});

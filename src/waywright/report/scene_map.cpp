@@ -24,6 +24,9 @@ void add_ways(std::vector<Vec2>& points, const Problem& problem, const std::vect
   if (const FreeGoal* free = problem.free_goal()) add_ring(points, free->area);
   else add_ring(points, outline_at(problem.footprint(), problem.last_pose()));
   for (const Plan* plan : plans) {
+    if (plan->replanned) {
+      for (const Pose& pose : plan->replanned->driven) points.push_back(pose.position());
+    }
     for (std::size_t i = 0; i < plan->samples.size(); i += 10) add_ring(points, outline_at(problem.footprint(), plan->samples[i].pose()));
   }
 }

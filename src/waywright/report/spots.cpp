@@ -87,7 +87,8 @@ std::vector<std::size_t> steering_stops(const Plan& plan) {
     const Sample& here = plan.samples[i];
     const bool stands = before.s == here.s && here.s > 0.0 && here.s < plan.samples.back().s &&
                         before.speed == 0.0 && here.speed == 0.0;
-    if (stands && before.direction == here.direction && here.direction != 0) stops.push_back(i);
+    const bool waits = std::any_of(plan.waits.begin(), plan.waits.end(), [&](const Wait& wait) { return wait.s == here.s; });
+    if (stands && !waits && before.direction == here.direction && here.direction != 0) stops.push_back(i);
   }
   return stops;
 }

@@ -146,6 +146,9 @@ constexpr std::string_view rules = R"(
 .ww .tightdot{fill:var(--bad)}.ww .hit{fill:var(--bad);fill-opacity:.14;stroke:var(--bad);stroke-width:1.4}
 .ww .spot{fill:var(--paper);stroke:var(--bad);stroke-width:2}.ww .spotline{stroke:var(--bad);stroke-width:1.2;stroke-dasharray:4 3}
 .ww .load{fill:var(--back);fill-opacity:.13;stroke:var(--back);stroke-width:.9;stroke-dasharray:4 2}.ww .setdown{fill:var(--solid);fill-opacity:.75;stroke:var(--back);stroke-width:2}
+.ww .driven{fill:none;stroke:var(--soft);stroke-width:3;stroke-opacity:.6}.ww .appeared{fill:var(--bad);fill-opacity:.30;stroke:var(--bad);stroke-width:1.6}.ww .appearedline{fill:none;stroke:var(--bad);stroke-width:2.4}.ww .appeareddot{fill:var(--bad)}
+.ww .moving{fill:var(--dear);fill-opacity:.55;stroke:var(--dear);stroke-width:1.8}.ww .movinglater{fill:var(--dear);fill-opacity:.10;stroke:var(--dear);stroke-width:1.4;stroke-dasharray:4 3}.ww .movingway{fill:none;stroke:var(--dear);stroke-width:1.8;stroke-dasharray:2 4}
+.ww .wait{fill:var(--dear);stroke:var(--ink);stroke-width:1.8}
 .ww .region{fill:var(--zone);fill-opacity:.14;stroke:var(--zone);stroke-width:1.6}
 .ww .badge{fill:var(--paper);stroke-width:3px}.ww .badgetext{font-size:12px;font-weight:700;text-anchor:middle}
 .ww .stop{fill:var(--paper);stroke:var(--ink);stroke-width:1.8}.ww .frame{fill:none;stroke:var(--grid);stroke-width:1}

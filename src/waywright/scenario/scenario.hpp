@@ -10,6 +10,7 @@
 
 #include "waywright/core/budget.hpp"
 #include "waywright/map/map.hpp"
+#include "waywright/scenario/moving_obstacle.hpp"
 #include "waywright/scenario/zone.hpp"
 #include "waywright/vehicle/vehicle.hpp"
 
@@ -109,6 +110,7 @@ struct Scenario {
   double clearance = 0.0;  ///< m, ≥ 0, kept from everything by the whole footprint
   PoseError pose_error;
   std::vector<Zone> zones;
+  std::vector<MovingObstacle> moving;  ///< the way leads past them in time
   BudgetLimits budget;
   PlannerChoice planner;
   std::uint64_t seed = 1;

@@ -245,6 +245,7 @@ void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, V
   Random random = Random::stream(seed, 0);
   add(start, space.room(start));
   look_for_goal(0);
+  if (kept_ != nullptr) take_over();
   choose_best();
   if (is_found()) {
     statistics_.first_length = best_length_;

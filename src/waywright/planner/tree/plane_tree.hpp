@@ -56,6 +56,15 @@ class PlaneTree {
   void grow(const PlaneSpace& space, const PlaneTreeOptions& options, Vec2 start, const PlaneTarget& goal, std::uint64_t seed, Budget& budget, std::int64_t edges,
             TreeSteering* steering = nullptr);
 
+  /// A node of a tree that was made elsewhere. The first one is the root, the others come after their parents.
+  struct KeptNode {
+    Vec2 at{};
+    std::uint32_t parent = none;
+  };
+  /// The same from a tree that is there already, to which samples are added. @pre there is a root, its place and all edges are free
+  void grow_on(const std::vector<KeptNode>& kept, const PlaneSpace& space, const PlaneTreeOptions& options, const PlaneTarget& goal, std::uint64_t seed, Budget& budget, std::int64_t edges,
+               TreeSteering* steering = nullptr);
+
   bool is_found() const { return best_ != none; }
   double length() const { return best_length_; }  ///< m; +∞ where nothing was found
   std::vector<Vec2> way() const;                  ///< from the start to the goal; empty where nothing was found
@@ -104,8 +113,10 @@ class PlaneTree {
   void look_for_goal(std::uint32_t node);
   void choose_best();
   void hang(std::uint32_t node, std::uint32_t parent, double edge);
+  void take_over();
 
   const PlaneSpace* space_ = nullptr;
+  const std::vector<KeptNode>* kept_ = nullptr;  // while it takes them over
   PlaneTreeOptions options_;
   PlaneTarget goal_;
   std::int64_t most_edges_ = 0;

@@ -1,0 +1,163 @@
+#include "waywright/planner/go_around.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "waywright/judge/judge.hpp"
+#include "waywright/path/remainder.hpp"
+#include "waywright/planner/rest_of_plan.hpp"
+#include "waywright/proof/moving_clearance.hpp"
+
+namespace waywright {
+namespace {
+
+constexpr int disc_corners = 36, room_corners = 8;
+constexpr double room_beside = 5e-3;  // m, that bounds in time take beside what stands
+constexpr double least_kept = 1e-6;  // m
+constexpr double look_every = 0.1;   // s
+
+/// The mission beside which nothing of a station is left to do but to reach a pose: its shelf and its area are obstacles then.
+void take_station_into_map(Scenario& scenario, const Mission& mission) {
+  const auto* station = std::get_if<Station>(&scenario.mission);
+  if (station == nullptr || std::holds_alternative<Station>(mission)) return;
+  scenario.map.boundaries.push_back(station->area);
+  scenario.map.obstacles.push_back(station->shelf.outline());
+}
+
+/// All that an obstacle is predicted to sweep up to a time, as polygons that hold it.
+std::vector<Ring> swept(const MovingObstacle& obstacle, double until) {
+  std::vector<double> times{0.0};
+  for (const MovingObstacle::Place& place : obstacle.track) {
+    if (place.t > 0.0 && place.t < until) times.push_back(place.t);
+  }
+  times.push_back(until);
+  std::vector<Ring> rings;
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    const Pose a = obstacle.at(times[i]), b = obstacle.at(times[i + 1]);
+    // Where it turns, the disc around it holds it whatever its heading.
+    const Footprint body = a.heading == b.heading ? obstacle.footprint : Footprint{{}, obstacle.footprint.radius()};
+    const double room = room_beside + obstacle.spread * times[i + 1];
+    Ring points = outline_that_holds(body, a, room);
+    const Ring there = outline_that_holds(body, b, room);
+    points.insert(points.end(), there.begin(), there.end());
+    rings.push_back(convex_hull(std::move(points)));
+  }
+  return rings;
+}
+
+/// What a plan takes over from the one that it comes in place of.
+void take_over(Plan& around, Plan& before, Plan& detour) {
+  around.explanation = std::move(before.explanation);
+  around.alternatives = std::move(before.alternatives);
+  around.search = std::move(detour.search);
+  around.planner = before.planner;
+  around.parameters = before.parameters;
+  around.timing.load = before.timing.load;
+  around.timing.prepare = before.timing.prepare + detour.timing.prepare;
+  around.timing.plan = before.timing.plan + detour.timing.plan;
+  around.timing.prove += before.timing.prove;
+  around.effort.evaluations = before.effort.evaluations + detour.effort.evaluations;
+  around.effort.expansions = before.effort.expansions + detour.effort.expansions;
+  around.reproducible = before.reproducible && detour.reproducible;
+  around.replanned = std::move(before.replanned);
+}
+
+/// Of a plan that something comes to meet: a way beside what it is predicted to sweep until then, from the first place where the vehicle can stand. Empty where none serves.
+Parsed<std::optional<Plan>> beside_what_comes(const Problem& problem, Plan& plan, const std::atomic<bool>* cancel) {
+  const Hindrance& h = *plan.hindrance;
+  const MovingObstacle& obstacle = problem.scenario().moving[h.obstacle];
+  const auto leave = braking_distance(problem, plan.samples);
+  if (!leave) return std::optional<Plan>{};
+  // Until it has come so near to where the vehicle leaves its way that there is just room to turn away. (Then it walks on over places that the vehicle has left.)
+  const Pose from = *leave > least_kept ? end_pose(beginning(plan.path, *leave)) : problem.first_pose();
+  const double room = 2.0 * problem.footprint().radius() + problem.required_clearance() + 2.0 * room_beside, latest = obstacle.track.back().t + 2.0 * plan.metrics.travel_time + 10.0;
+  const MovingClearance clearance{problem, 0.0, 0.0};
+  double until = 0.0;
+  while (until < latest && clearance.distance_at(from, h.obstacle, until, 2.0 * room) > room) until += look_every;
+  if (until == 0.0) return std::optional<Plan>{};
+  auto found = detour(problem, plan.path, *leave, problem.scenario().mission, swept(obstacle, until), cancel);
+  if (!found) return tl::unexpected{found.error()};
+  if (found->plan.status != Status::solved) return std::optional<Plan>{};
+  Plan around = judge(problem, found->whole, cancel);
+  if (around.status != Status::solved) return std::optional<Plan>{};
+  take_over(around, plan, found->plan);
+  around.explanation.push_back(fmt::format("{} comes to where the vehicle could wait for it, so the way leads beside what it is predicted to sweep until it is there.", one_line(title_of(obstacle, h.obstacle))));
+  return std::optional<Plan>{std::move(around)};
+}
+
+}  // namespace
+
+Ring outline_that_holds(const Footprint& footprint, const Pose& pose, double room) {
+  const int corners = footprint.is_disc() ? disc_corners : room_corners;
+  const double radius = (room + (footprint.is_disc() ? footprint.disc : 0.0)) / sin_cos(pi / corners).cos;
+  if (!footprint.is_disc() && !(radius > 0.0)) return convex_hull(transformed(footprint.polygon, Frame{pose}));
+  std::vector<Vec2> points;
+  for (const Vec2 middle : footprint.is_disc() ? Ring{pose.position()} : transformed(footprint.polygon, Frame{pose})) {
+    for (int i = 0; i < corners; ++i) points.push_back(middle + std::max(radius, 1e-3) * unit(two_pi * i / corners));
+  }
+  return convex_hull(std::move(points));
+}
+
+Path joined(Path first, const Path& then) {
+  for (const Piece& piece : then.pieces) first.pieces.push_back(piece);
+  return first;
+}
+
+Parsed<Detour> detour(const Problem& problem, const Path& path, double s, const Mission& mission, const std::vector<Ring>& more, const std::atomic<bool>* cancel) {
+  Scenario scenario = problem.scenario();
+  take_station_into_map(scenario, mission);
+  scenario.mission = mission;
+  scenario.moving.clear();
+  scenario.map.obstacles.insert(scenario.map.obstacles.end(), more.begin(), more.end());
+  Detour found;
+  Path kept;
+  if (s > least_kept) {
+    kept = beginning(path, s);
+    found.s = length(kept);
+    scenario.start = end_pose(kept);
+    scenario.start_motion = {};
+  }
+  auto from_there = Problem::prepare(std::move(scenario));
+  if (!from_there) return tl::unexpected{from_there.error()};
+  auto plan = solve(*from_there, cancel);
+  if (!plan) return tl::unexpected{plan.error()};
+  found.plan = std::move(*plan);
+  if (found.plan.status == Status::solved) found.whole = joined(std::move(kept), found.plan.path);
+  return found;
+}
+
+Parsed<Plan> led_around(const Problem& problem, Plan plan, const std::atomic<bool>* cancel) {
+  std::vector<WantedWait> wanted;
+  std::vector<Ring> standing;
+  const std::vector<MovingObstacle>& moving = problem.scenario().moving;
+  for (std::size_t round = 0; round < moving.size(); ++round) {
+    if (!plan.hindrance || plan.path.pieces.empty() || problem.pocket() || problem.is_driven_back()) return plan;
+    const Hindrance h = *plan.hindrance;
+    if (h.kind == Hindrance::Kind::comes && wanted.empty()) {
+      auto beside = beside_what_comes(problem, plan, cancel);
+      if (!beside) return tl::unexpected{beside.error()};
+      return beside->has_value() ? std::move(**beside) : std::move(plan);
+    }
+    if (h.kind != Hindrance::Kind::stands) return plan;
+    const MovingObstacle& obstacle = moving[h.obstacle];
+    const auto since = obstacle.stands_from();
+    if (!since) return plan;
+    standing.push_back(outline_that_holds(obstacle.footprint, obstacle.at(*since), room_beside));
+    const std::string who = one_line(title_of(obstacle, h.obstacle));
+    auto found = detour(problem, plan.path, h.s, problem.scenario().mission, standing, cancel);
+    if (!found) return tl::unexpected{found.error()};
+    if (found->plan.status != Status::solved) {
+      plan.explanation.push_back(fmt::format("No way leads around {} from where the vehicle waits for it: {}.", who, found->plan.reason));
+      return plan;
+    }
+    wanted.push_back({found->s, h.from + obstacle.patience, h.obstacle});
+    Plan around = judge(problem, found->whole, cancel, wanted);
+    take_over(around, plan, found->plan);
+    around.explanation.push_back(fmt::format("{} stays in the way: the vehicle waits for {:g} s, {:.2f} m before it, and then takes it for an obstacle that stays, and a way around it.", who, obstacle.patience, h.ahead));
+    plan = std::move(around);
+  }
+  return plan;
+}
+
+}  // namespace waywright
