@@ -33,7 +33,7 @@ void published_optima(std::size_t stride) {
     const std::string name = file.filename().string();
     const std::size_t end = name.find(".map.scen");
     const std::string map = end != std::string::npos ? name.substr(0, end) : name.substr(0, std::min(name.find("-even"), name.find("-random")));
-    const auto loaded = load_movingai_map(folder / (map + ".map"), 1.0);
+    const auto loaded = load_movingai_map(*folder / (map + ".map"), 1.0);
     ASSERT_TRUE(loaded) << loaded.error().message();
     const GridGraph graph{loaded->grid.columns, loaded->grid.rows, loaded->grid.blocked, Neighbours::eight, CornerRule::strict};
     const auto problems = oracle::read_movingai_problems(file.string());
