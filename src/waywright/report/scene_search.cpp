@@ -12,7 +12,9 @@ namespace waywright {
 namespace {
 
 constexpr std::size_t most_lines = 12'000;  // in one picture
+constexpr std::size_t most_dots = 1200;     // of agents, in a still picture
 constexpr int frames = 48;
+constexpr int lasting = 4;  // frames, that places are seen
 constexpr double moving = 8.0, standing = 2.5;  // s, of what moves, and of the end
 
 using Stroke = SearchPicture::Line;
@@ -75,13 +77,49 @@ std::string polyline(const SvgWriter& svg, const std::vector<Vec2>& points, cons
   return one.take();
 }
 
+using Swarm = SearchPicture::Swarm;
+
+bool holds_places(const Swarm& swarm) { return !swarm.agents.empty() && swarm.agents.front().size() == 1; }
+
+/// Places, and the corners of ways, as dots: strokes without length and with round ends.
+std::string dots_of(const SvgWriter& svg, const Swarm& swarm) {
+  std::string dots;
+  for (const std::vector<Vec2>& agent : swarm.agents) {
+    const std::size_t ends = agent.size() == 1 ? 0 : 1;
+    for (std::size_t i = ends; i + ends < agent.size(); ++i) {
+      const Vec2 at = svg.view()(agent[i]);
+      dots += fmt::format("M{} {}h0", fixed(at.x, 1), fixed(at.y, 1));
+    }
+  }
+  return dots;
+}
+std::string places(const std::string& dots) { return dots.empty() ? std::string{} : fmt::format("<path class=\"searchplace\" d=\"{}\"/>\n", dots); }
+
+/// Of a still picture: swarms spread over the search, so many that their dots can be told apart.
+std::size_t each_drawn(const SearchPicture& search) {
+  std::size_t dots = 0;
+  for (const Swarm& swarm : search.swarms) {
+    for (const std::vector<Vec2>& agent : swarm.agents) dots += agent.size() == 1 ? 1 : agent.size() - std::min<std::size_t>(2, agent.size());
+  }
+  return std::max<std::size_t>(1, (dots + most_dots - 1) / most_dots);
+}
+
+LegendEntry swarm_entry(const SearchPicture& search, std::size_t drawn) {
+  const char* const what = holds_places(search.swarms.front()) ? "where the whale optimisation algorithm's agents ended" : "corners of the whale optimisation algorithm's agents";
+  const char* const when = holds_places(search.swarms.front()) ? "of the tree's extensions" : "of its iterations";
+  return {"searchplace", LegendEntry::Shape::line, fmt::format("{} in {} {}", what, drawn, when)};
+}
+
 }  // namespace
 
 void draw_search(SvgWriter& svg, const SearchPicture& search, const Box& region) {
   const std::vector<Stroke> left = seen_of(search.lines, region, true, most_lines).lines;
   if (!left.empty()) svg.raw(fmt::format("<path class=\"searchline\" d=\"{}\"/>\n", strokes(svg, left)));
   if (search.swarms.empty()) return;
-  for (const std::vector<Vec2>& agent : search.swarms.back().agents) svg.polyline(agent, "searchagent");
+  const std::size_t each = each_drawn(search);
+  std::string dots;
+  for (std::size_t i = 0; i < search.swarms.size(); i += each) dots += dots_of(svg, search.swarms[i]);
+  svg.raw(places(dots));
 }
 
 std::vector<LegendEntry> search_legend(const SearchPicture& search, const Box& region) {
@@ -89,7 +127,7 @@ std::vector<LegendEntry> search_legend(const SearchPicture& search, const Box& r
   std::vector<LegendEntry> entries;
   const std::size_t left = seen_of(search.lines, region, true, most_lines).all;
   if (left > 0) entries.push_back({"searchline", Shape::line, search.name + (left > most_lines ? fmt::format(", {} of {} lines", most_lines, left) : std::string{})});
-  if (!search.swarms.empty()) entries.push_back({"searchagent", Shape::line, "agents where they ended"});
+  if (!search.swarms.empty()) entries.push_back(swarm_entry(search, (search.swarms.size() + each_drawn(search) - 1) / each_drawn(search)));
   return entries;
 }
 
@@ -112,19 +150,31 @@ std::string search_svg(const Problem& problem, const Plan& plan, double width) {
       if (born < gone) svg.raw(shown(born, gone, content(items[i])));
     }
   };
-  in_turn(search.swarms, [&](const SearchPicture::Swarm& swarm) {
-    std::string all;
-    for (const std::vector<Vec2>& agent : swarm.agents) all += polyline(svg, agent, "searchagent");
-    return all;
-  });
   in_turn(search.ways, [&](const SearchPicture::Way& way) { return polyline(svg, way.points, "fwd"); });
+  // Swarms that come in the same frame are seen together.
+  for (std::size_t first = 0; first < search.swarms.size();) {
+    const int born = frame_of(search.swarms[first].born, search.steps);
+    std::size_t next = first + 1;
+    while (next < search.swarms.size() && frame_of(search.swarms[next].born, search.steps) == born) ++next;
+    const int gone = next < search.swarms.size() ? frame_of(search.swarms[next].born, search.steps) : frames + 1;
+    // Places are spread over the search, ways all in one place.
+    std::string all, dots;
+    for (std::size_t i = holds_places(search.swarms[first]) ? first : next - 1; i < next; ++i) {
+      for (const std::vector<Vec2>& agent : search.swarms[i].agents) {
+        if (agent.size() > 1) all += polyline(svg, agent, "searchagent");
+      }
+      dots += dots_of(svg, search.swarms[i]);
+    }
+    svg.raw(shown(born, holds_places(search.swarms[first]) ? born + lasting : gone, all + places(dots)));
+    first = next;
+  }
   draw_vehicle(svg, problem.footprint(), problem.first_pose(), "S");
   draw_goal(svg, problem, plan, "G");
   svg.close_group();
   draw_axes(svg, canvas);
   draw_scale(svg, canvas);
   std::vector<LegendEntry> legend{{"searchline", LegendEntry::Shape::line, search.name}};
-  if (!search.swarms.empty()) legend.push_back({"searchagent", LegendEntry::Shape::line, "agents of the whale optimisation algorithm"});
+  if (!search.swarms.empty()) legend.push_back(swarm_entry(search, search.swarms.size()));
   if (!search.ways.empty()) legend.push_back({"fwd", LegendEntry::Shape::line, "best way so far"});
   legend.push_back({"", LegendEntry::Shape::none, fmt::format("the search in {:g} s, its beginning slower", moving)});
   const double whole = std::max(canvas.width, 480.0);

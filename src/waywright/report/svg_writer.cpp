@@ -142,7 +142,7 @@ constexpr std::string_view rules = R"(
 .ww .turn{fill:none;stroke:var(--shelf);stroke-width:4}.ww .fwdmark{fill:var(--fwd)}.ww .backmark{fill:var(--back)}
 .ww .alt{fill:none;stroke:var(--alt);stroke-width:1.6;stroke-dasharray:6 4}.ww .tight{stroke:var(--bad);stroke-width:2.5}
 .ww .waypoint{fill:var(--paper,#fff);stroke:var(--ink,#222);stroke-width:1.8}.ww .waypointring{fill:none;stroke:var(--ink,#222);stroke-width:.8;stroke-dasharray:3 3}
-.ww .searchline{fill:none;stroke:var(--zone);stroke-width:.7;stroke-opacity:.55}.ww .searchagent{fill:none;stroke:var(--dear);stroke-width:1;stroke-opacity:.8}
+.ww .searchline{fill:none;stroke:var(--zone);stroke-width:.7;stroke-opacity:.55}.ww .searchplace{fill:none;stroke:var(--dear);stroke-width:3.4;stroke-linecap:round}.ww .searchagent{fill:none;stroke:var(--dear);stroke-width:1.2}
 .ww .tightdot{fill:var(--bad)}.ww .hit{fill:var(--bad);fill-opacity:.14;stroke:var(--bad);stroke-width:1.4}
 .ww .spot{fill:var(--paper);stroke:var(--bad);stroke-width:2}.ww .spotline{stroke:var(--bad);stroke-width:1.2;stroke-dasharray:4 3}
 .ww .load{fill:var(--back);fill-opacity:.13;stroke:var(--back);stroke-width:.9;stroke-dasharray:4 2}.ww .setdown{fill:var(--solid);fill-opacity:.75;stroke:var(--back);stroke-width:2}

@@ -272,6 +272,7 @@ void PlaneTree::grow(const PlaneSpace& space, const PlaneTreeOptions& options, V
     const double room = space.room(to), length = distance(from, to);
     if (!is_edge_free(from, to, length, rooms_[near], room)) continue;
     insert(to, room, near, length, looks_once && !is_far);
+    if (steering != nullptr) steering->grown(statistics_.samples);
     choose_best();
     if (is_found() && !statistics_.first_length) {
       statistics_.first_length = best_length_;

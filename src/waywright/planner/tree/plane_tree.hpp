@@ -34,6 +34,8 @@ class TreeSteering {
  public:
   virtual ~TreeSteering() = default;
   virtual Vec2 aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) = 0;
+  /// The tree grew by the last aim, `samples` (≥ 1) having been drawn.
+  virtual void grown(std::int64_t /*samples*/) {}
 };
 
 struct PlaneTreeStatistics {

@@ -99,6 +99,49 @@ TEST(PlaneTree, SameSeedSameTreeAlsoInMemoryThatWasUsed) {
   EXPECT_NE(a.place(5), c.place(5));
 }
 
+/// Two rooms of 6 × 6 m, a wall of 0.4 m with a passage in its middle between them; a disc of 0.1 m.
+Problem rooms(double gap) {
+  Scenario s;
+  s.map.boundaries = {rectangle({0, 0}, {12.4, 6})};
+  s.map.obstacles = {rectangle({6.0, 0.0}, {6.4, 3.0 - 0.5 * gap}), rectangle({6.0, 3.0 + 0.5 * gap}, {6.4, 6.0})};
+  s.vehicle.footprint = {{}, 0.1};
+  s.vehicle.drive = Differential{0.5};
+  s.start = {1.0, 1.0, 0.0};
+  s.mission = Pose{11.4, 1.0, 0.0};
+  return Problem::prepare(std::move(s)).value();
+}
+
+// How many samples a passage takes an RRT whose steps are as long as they need be and that looks for the goal from everywhere. Disc's middles (r from everything) have
+// w = gap − 2 r across in the passage, which is t = 0.4 + 2 r long; d = w/2. Along its middle stand balls of radius d/5, d/5 apart, the first one just in the left room,
+// the last one in the right one: k = ⌈(t + 2 d/5)/(d/5)⌉ + 1 of them. A ball of radius d about each middle is free.
+// - The first ball is reached by a sample in it: the nearest node is in the left room, which is convex, or in the strip of the passage, which is, too, or already in the
+//   right room, where the goal is seen from every node.
+// - With a node in ball i, a sample in ball i + 1 becomes a node: the nearest node is no farther from it than that one, 3 d/5 at most, so 4 d/5 from the middle of ball
+//   i + 1, and the line between is within d of that middle: free.
+// A sample is in a given ball with p = π (d/5)²/F, F the free area, so that the way is there when k of the samples, each the next one wanted, have come: of n samples fewer
+// than k do with a probability of at most exp(−(np − k)²/(2 np)) (Chernoff), which is 0.01 for np = k + l + √(l² + 2 k l), l = ln 100. Of 100 seeds then fewer than 95 find
+// a way with a probability under 6·10⁻⁴ (binomial, 0.01, more than 5).
+TEST(PlaneTree, RrtFindsAPassageWithAsManySamplesAsItsWidthAsksFor) {
+  for (const double gap : {0.4, 0.7, 1.6}) {
+    const Problem problem = rooms(gap);
+    const PlaneSpace space{problem};
+    const double r = space.needed(), w = gap - 2.0 * r, side = 6.0 - 2.0 * r, length = 0.4 + 2.0 * r, ball = 0.5 * w / 5.0;
+    const double free = 2.0 * side * side + w * length, p = pi * ball * ball / free;
+    const double balls = std::ceil((length + 2.0 * ball) / ball) + 1.0, l = std::log(100.0);
+    const auto samples = static_cast<std::int64_t>(std::ceil((balls + l + std::sqrt(l * l + 2.0 * balls * l)) / p));
+    int found = 0, found_with_few = 0;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+      Grown grown;
+      PlaneTreeOptions options{.samples = samples, .step = 100.0, .goal_threshold = 100.0, .rewires = false, .first_path = true};
+      found += grown.grow(space, options, seed).is_found() ? 1 : 0;
+      options.samples = 3;
+      found_with_few += grown.grow(space, options, seed).is_found() ? 1 : 0;
+    }
+    EXPECT_GE(found, 95) << "gap " << gap << ", samples " << samples;
+    EXPECT_LT(found_with_few, 80) << "gap " << gap;
+  }
+}
+
 /// As the steering has it, but every cost whole and every agent looked at.
 Vec2 plain_aim(const PlaneSpace& space, const WhaleSteeringOptions& o, const WhaleSteering& steering, Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
   std::vector<Vec2> agents;

@@ -36,15 +36,18 @@ std::int64_t for_refinement(const TreePlannerOptions& options, std::int64_t left
   return std::min(wanted, left / 2);
 }
 
-/// Behind the tree's samples, a tenth of its time.
+/// Behind the tree's samples: what the swarm did is spread over twice as many steps, iterations that do not fit left out evenly.
 void draw_swarm(SearchPicture& picture, const std::vector<std::vector<std::vector<Vec2>>>& iterations, const std::vector<std::vector<Vec2>>& ways) {
-  const std::uint32_t first = picture.steps, each = std::max<std::uint32_t>(1, first / 40);
-  for (const auto& agents : iterations) {
-    picture.swarms.push_back({agents, picture.steps});
-    picture.steps += each;
+  if (iterations.empty()) return;
+  const std::size_t all = iterations.size(), shown = std::min(all, most_swarms);
+  const std::uint32_t first = picture.steps, last = 3 * std::max<std::uint32_t>(first, 1);
+  const auto step_of = [&](std::size_t iteration) { return first + static_cast<std::uint32_t>(static_cast<std::uint64_t>(last - first) * iteration / all); };
+  for (std::size_t k = 1; k <= shown; ++k) {  // the last one always
+    const std::size_t i = k * all / shown - 1;
+    picture.swarms.push_back({iterations[i], step_of(i)});
   }
-  const std::size_t per_way = std::max<std::size_t>(1, picture.swarms.size() / std::max<std::size_t>(1, ways.size()));
-  for (std::size_t i = 0; i < ways.size(); ++i) picture.ways.push_back({ways[i], first + static_cast<std::uint32_t>((i + 1) * per_way) * each});
+  for (std::size_t i = 0; i < ways.size(); ++i) picture.ways.push_back({ways[i], step_of((i + 1) * all / ways.size())});
+  picture.steps = last;
 }
 
 const char* tree_name(TreeMethod method) { return method == TreeMethod::rrt ? "RRT" : "RRT*"; }
@@ -86,7 +89,11 @@ class TreePlanner::Ready {
     tree.grow(space_, tree_options, start->at, target, seed, budget, edges, steering ? &*steering : nullptr);
     budget.count_evaluations(tree.statistics().edges);
     if (budget.canceled()) return tl::unexpected{failure(Status::canceled, fmt::format("canceled after {}", counted(tree.statistics().samples, "sample")))};
-    if (!tree.is_found()) return tl::unexpected{nothing_found(options, tree, tree_options, target, edges, budget)};
+    if (!tree.is_found()) {
+      PlanningFailure failed = nothing_found(options, tree, tree_options, target, edges, budget);
+      if (steering && failed.search) steering->draw(*failed.search);
+      return tl::unexpected{std::move(failed)};
+    }
     return explained(options, tree, tree_options, steering, *start, *goal, seed, budget);
   }
 
@@ -145,6 +152,7 @@ class TreePlanner::Ready {
       planned.alternatives.push_back(std::move(alternative));
     };
     planned.search = tree.picture();
+    if (steering) steering->draw(*planned.search);
     std::string what = fmt::format("This is the path of a sampling planner, {} for {} of {:.3f} m: another seed gives another path. Its tree has {} after {}, with {} tested", tree_name(options.method),
                                    space_.problem().footprint().is_disc() ? "a disc" : "the disc around the footprint,", space_.disc(), counted(static_cast<std::int64_t>(tree.size()), "node"),
                                    counted(statistics.samples, "sample"), counted(statistics.edges, "line"));

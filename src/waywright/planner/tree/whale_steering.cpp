@@ -7,6 +7,7 @@ namespace waywright {
 namespace {
 
 constexpr double blocked_weight = 10.0;
+constexpr std::size_t most_drawn = 100;  // swarms
 
 }  // namespace
 
@@ -185,6 +186,29 @@ Vec2 WhaleSteering::aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
     look(aim, best);
   }
   return best.at;
+}
+
+/// Where there are too many every other one is left out, from then on, too.
+void WhaleSteering::grown(std::int64_t samples) {
+  if (extensions_++ % each_drawn_ != 0) return;
+  if (drawn_.size() == most_drawn) {
+    std::size_t kept = 1;
+    for (std::size_t i = 2; i < drawn_.size(); i += 2) drawn_[kept++] = std::move(drawn_[i]);
+    drawn_.resize(kept);
+    each_drawn_ *= 2;
+    if ((extensions_ - 1) % each_drawn_ != 0) return;
+  }
+  Drawn& drawn = drawn_.emplace_back();
+  drawn.samples = static_cast<std::uint32_t>(samples);
+  for (std::size_t i = 0; i < x_.size(); ++i) drawn.agents.push_back(agent(i));
+}
+
+void WhaleSteering::draw(SearchPicture& picture) const {
+  for (const Drawn& drawn : drawn_) {
+    SearchPicture::Swarm& swarm = picture.swarms.emplace_back();
+    swarm.born = drawn.samples;
+    for (const Vec2 at : drawn.agents) swarm.agents.push_back({at});
+  }
 }
 
 }  // namespace waywright

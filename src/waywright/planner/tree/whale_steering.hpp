@@ -27,6 +27,10 @@ class WhaleSteering final : public TreeSteering {
   WhaleSteering(const PlaneSpace& space, const WhaleSteeringOptions& options);
   Vec2 aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) override;
 
+  void grown(std::int64_t samples) override;
+  /// Agents as they were at last, of a share of the extensions that the tree grew by, spread over the whole search: a hundred at most.
+  void draw(SearchPicture& picture) const;
+
   std::int64_t evaluations() const { return evaluations_; }
   std::int64_t lines() const { return lines_; }  ///< that were looked along: not those that the view of the goal tells
 
@@ -70,6 +74,12 @@ class WhaleSteering final : public TreeSteering {
   std::vector<std::uint32_t> others_;
   std::vector<double> spirals_;  // of the spirals among them: l, then the factor; which moves they are
   std::vector<std::uint32_t> spiral_moves_;
+  struct Drawn {
+    std::vector<Vec2> agents;
+    std::uint32_t samples;
+  };
+  std::vector<Drawn> drawn_;  // of every `each_drawn_`-th extension
+  std::int64_t extensions_ = 0, each_drawn_ = 1;
   std::int64_t evaluations_ = 0, lines_ = 0;
 };
 
