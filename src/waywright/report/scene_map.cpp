@@ -136,8 +136,13 @@ Canvas canvas_for(const Problem& problem, const std::vector<const Plan*>& plans,
 }
 
 Canvas canvas_for(const Map& map, const std::vector<Vec2>& seen, double width) {
-  const Box region = region_of(map, seen);
-  const Vec2 size = region.high - region.low;
+  Box region = region_of(map, seen);
+  Vec2 size = region.high - region.low;
+  // A way along a hall is a thread: what lies beside it is shown, too.
+  constexpr double thinnest = 0.3;
+  const double more_up = 0.5 * std::max(0.0, thinnest * size.x - size.y), more_across = 0.5 * std::max(0.0, thinnest * size.y - size.x);
+  region = {region.low - Vec2{more_across, more_up}, region.high + Vec2{more_across, more_up}};
+  size = region.high - region.low;
   return canvas_of(region, std::min((width - left_gutter) / size.x, 1.1 * width / size.y));
 }
 

@@ -68,18 +68,26 @@ double ZoneRules::cost(Vec2 from, Vec2 to) const {
   const double length = distance(from, to);
   const Box box = box_of(from, to);
   std::vector<double> shares{0.0, 1.0};
-  bool is_any = false;
+  // Where there are hundreds of zones (lanes of a plant), few are near: only these are asked again.
+  std::vector<const Weighed*> near;
   for (const Weighed& zone : weighed_) {
     if (!meet(zone.box, box)) continue;
-    is_any = true;
+    near.push_back(&zone);
     add_crossings(zone.area, from, to, shares);
   }
-  if (!is_any) return length;
+  if (near.empty()) return length;
+  const auto factor_there = [&](Vec2 point) {
+    double product = 1.0;
+    for (const Weighed* zone : near) {
+      if (is_inside(*zone, point)) product *= zone->factor;
+    }
+    return bounded(product);
+  };
   std::sort(shares.begin(), shares.end());
   double more = 0.0;  // than the length, as a share of it: exactly none where no zone is
   for (std::size_t i = 1; i < shares.size(); ++i) {
     const double part = shares[i] - shares[i - 1];
-    if (part > 0.0) more += part * (factor_at(from + 0.5 * (shares[i - 1] + shares[i]) * (to - from)) - 1.0);
+    if (part > 0.0) more += part * (factor_there(from + 0.5 * (shares[i - 1] + shares[i]) * (to - from)) - 1.0);
   }
   return (1.0 + more) * length;
 }
