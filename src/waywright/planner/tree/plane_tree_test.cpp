@@ -272,7 +272,8 @@ TEST(ImprovedWay, KeepsNoMoreForPicturesThanAreDrawn) {
   const std::vector<Vec2> way = grown.grow(space, {.radius = 1.5, .first_path = true}, 1).way();
   const ImprovedWay improved = improved_way(way, space, {.iterations = 100}, 12, 1, budget);
   EXPECT_GT(improved.rounds, 1);
-  EXPECT_EQ(improved.agents.size(), WhaleRefinement::most_drawn);
+  EXPECT_LE(improved.agents.size(), WhaleRefinement::most_drawn);
+  EXPECT_GE(improved.agents.size(), WhaleRefinement::most_drawn / 2);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ std::int64_t for_refinement(const TreePlannerOptions& options, std::int64_t left
 /// Behind the tree's samples: what the swarm did is spread over twice as many steps, iterations that do not fit left out evenly.
 void draw_swarm(SearchPicture& picture, const std::vector<std::vector<std::vector<Vec2>>>& iterations, const std::vector<std::vector<Vec2>>& ways) {
   if (iterations.empty()) return;
-  const std::size_t all = iterations.size(), shown = std::min(all, most_swarms);
+  const std::size_t all = iterations.size(), shown = std::min(all, WhaleRefinement::most_drawn);
   const std::uint32_t first = picture.steps, last = 3 * std::max<std::uint32_t>(first, 1);
   const auto step_of = [&](std::size_t iteration) { return first + static_cast<std::uint32_t>(static_cast<std::uint64_t>(last - first) * iteration / all); };
   for (std::size_t k = 1; k <= shown; ++k) {  // the last one always

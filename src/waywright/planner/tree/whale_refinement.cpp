@@ -31,7 +31,14 @@ bool WhaleRefinement::is_free(const double* corners) {
 }
 
 void WhaleRefinement::draw(int population) {
-  if (drawn_ == nullptr || drawn_->size() >= most_drawn) return;
+  if (drawn_ == nullptr || iterations_++ % each_drawn_ != 0) return;
+  if (drawn_->size() == most_drawn) {
+    std::size_t kept = 1;
+    for (std::size_t i = 2; i < drawn_->size(); i += 2) (*drawn_)[kept++] = std::move((*drawn_)[i]);
+    drawn_->resize(kept);
+    each_drawn_ *= 2;
+    if ((iterations_ - 1) % each_drawn_ != 0) return;
+  }
   std::vector<std::vector<Vec2>>& agents = drawn_->emplace_back();
   for (int i = 0; i < population; ++i) {
     const double* const a = agents_.data() + static_cast<std::size_t>(i) * 2 * corners_;

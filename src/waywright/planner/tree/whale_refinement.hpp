@@ -32,8 +32,13 @@ class WhaleRefinement {
   std::vector<Vec2> refined(const std::vector<Vec2>& way, const PlaneSpace& space, const WhaleRefinementOptions& options, std::uint64_t seed, Budget& budget);
 
   static constexpr std::size_t most_drawn = 40;  ///< iterations that are kept for pictures
-  /// From now on where agents were after each iteration is kept for pictures: of every run, one after another, up to `most_drawn`.
-  void draw_into(std::vector<std::vector<std::vector<Vec2>>>* iterations) { drawn_ = iterations; }
+  /// From now on where agents were after each iteration is kept for pictures: of every run, one after another, evenly left out where there are more
+  /// than `most_drawn`.
+  void draw_into(std::vector<std::vector<std::vector<Vec2>>>* iterations) {
+    drawn_ = iterations;
+    iterations_ = 0;
+    each_drawn_ = 1;
+  }
 
   std::int64_t evaluations() const { return evaluations_; }  ///< of the last call
   std::int64_t lines() const { return lines_; }              ///< likewise, whose freedom was asked for
@@ -49,6 +54,7 @@ class WhaleRefinement {
   // All x first, then all y.
   std::vector<double> low_, high_, agents_, best_, squares_;
   std::vector<std::vector<std::vector<Vec2>>>* drawn_ = nullptr;
+  std::size_t iterations_ = 0, each_drawn_ = 1;  // done, and of which every how many-th is kept
   std::int64_t evaluations_ = 0, lines_ = 0;
 };
 
