@@ -18,6 +18,7 @@ namespace {
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 constexpr int tries_a_draw = 10'000;      // states until one is free and wanted
 constexpr int clock_every = 256;          // of them
+constexpr int most_unwanted = 100;        // of them, until one is taken as it comes
 constexpr int shortcuts = 300;            // tried on the way found
 constexpr double picture_sagitta = 0.02;  // m, of chords in pictures
 
@@ -32,6 +33,7 @@ std::optional<Pose> StateQuery::draw(Random& random, Budget& budget, const std::
   const double a = 0.5 * cost, b = std::isfinite(cost) ? 0.5 * std::sqrt(std::max(0.0, cost * cost - straight * straight)) : 0.0;
   const bool from_ellipse = std::isfinite(cost) && pi * a * b < size.x * size.y;
   const Vec2 along = straight > 0.0 ? (1.0 / straight) * between : Vec2{1.0, 0.0};
+  int unwanted = 0;
   for (int i = 0; i < tries_a_draw; ++i) {
     if (i % clock_every == clock_every - 1 && budget.exhausted()) return std::nullopt;
     Vec2 at{};
@@ -48,7 +50,11 @@ std::optional<Pose> StateQuery::draw(Random& random, Budget& budget, const std::
       at.y = random.uniform(region.low.y, region.high.y);
     }
     const Pose pose = make_pose(at, wrap(random.uniform(-pi, pi)));
-    if (is_wanted(pose) && test.pose_free(pose)) return pose;
+    if (unwanted < most_unwanted && !is_wanted(pose)) {
+      ++unwanted;
+      continue;
+    }
+    if (test.pose_free(pose)) return pose;
   }
   return std::nullopt;
 }

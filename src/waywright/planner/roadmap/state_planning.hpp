@@ -25,8 +25,8 @@ struct StateQuery {
   Box region{};              ///< where positions are drawn
   std::int64_t motions = 0;  ///< at most so many may be tested when the search ends
 
-  /// A free state, its position from the region and, where `cost` is finite, from the ellipse of those past which a way of that cost (m) can lead; headings evenly. Empty where
-  /// thousands of draws were not free, or not wanted, or the budget ends.
+  /// A free state, its position from the region and, where `cost` is finite, from the ellipse of those past which a way of that cost (m) can lead; headings evenly. Where a
+  /// hundred draws were not wanted the next free one is taken. Empty where thousands of draws were not free, or the budget ends.
   std::optional<Pose> draw(Random& random, Budget& budget, const std::function<bool(const Pose&)>& is_wanted, double cost) const;
   /// Where a motion leads past between both states, for pictures; empty where it is straight.
   std::vector<Vec2> bend_between(const Pose& from, const Pose& to) const;

@@ -50,7 +50,7 @@ void StateBins::nearest(const Pose& at, Way way, std::size_t count, std::vector<
     std::make_heap(waiting.begin(), waiting.end(), is_later);
     while (!waiting.empty() && waiting.front().cost <= worst()) {
       std::pop_heap(waiting.begin(), waiting.end(), is_later);
-      const Near next{cost(at, way, waiting.back().index), waiting.back().index};
+      const Near next{cost_under(at, way, waiting.back().index, worst()), waiting.back().index};
       waiting.pop_back();
       if (found.size() < count) {
         found.push_back(next);
@@ -80,7 +80,7 @@ void StateBins::within(const Pose& at, Way way, double radius, std::vector<Near>
   bins_.within(at.position(), radius, near);
   for (const PointBins::Near& n : near) {
     if (bound(facing, way, n.index) > radius) continue;
-    const double metres = cost(at, way, n.index);
+    const double metres = cost_under(at, way, n.index, radius);
     if (metres <= radius) found.push_back({metres, n.index});
   }
   std::sort(found.begin(), found.end());

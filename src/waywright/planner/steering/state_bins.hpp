@@ -37,7 +37,9 @@ class StateBins {
   Near nearest(const Pose& at, Way way) const;
 
  private:
-  double cost(const Pose& at, Way way, std::uint32_t i) const { return way == Way::to_it ? steering_->distance(states_[i].pose, at) : steering_->distance(at, states_[i].pose); }
+  double cost_under(const Pose& at, Way way, std::uint32_t i, double limit) const {
+    return way == Way::to_it ? steering_->distance_under(states_[i].pose, at, limit) : steering_->distance_under(at, states_[i].pose, limit);
+  }
   double bound(const Facing& at, Way way, std::uint32_t i) const { return way == Way::to_it ? steering_->bound(states_[i], at) : steering_->bound(at, states_[i]); }
 
   const Steering* steering_ = nullptr;

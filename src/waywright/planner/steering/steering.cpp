@@ -129,6 +129,13 @@ class CurveSteering final : public Steering {
 
   SteeringKind kind() const override { return is_reeds_shepp ? SteeringKind::reeds_shepp : SteeringKind::dubins; }
   double distance(const Pose& from, const Pose& to) const override { return curves_.distance(from, to); }
+  double distance_under(const Pose& from, const Pose& to, double limit) const override {
+    if constexpr (is_reeds_shepp) {
+      return curves_.distance_under(from, to, limit);
+    } else {
+      return curves_.distance(from, to);
+    }
+  }
   /// The heading turns by no more than length/radius. So after the length L nothing is farther beside the line along an end's heading than radius (1 − cos(L/radius)),
   /// which is under L²/(2 radius), and up to a quarter of a circle no more than that, whence on no more than what is driven.
   double bound(const Facing& from, const Facing& to) const override {

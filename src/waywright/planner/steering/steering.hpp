@@ -45,6 +45,8 @@ class Steering {
   virtual double distance(const Pose& from, const Pose& to) const = 0;
   /// No chain of motions between them costs less: the distance itself, but where turns on the spot are cheaper in other ways.
   virtual double least(const Pose& from, const Pose& to) const { return distance(from, to); }
+  /// The distance where it is no more than `limit`; else that or +∞.
+  virtual double distance_under(const Pose& from, const Pose& to, double /*limit*/) const { return distance(from, to); }
   /// No motion between them costs less, up to rounding: a bound told without making the motion.
   virtual double bound(const Facing& from, const Facing& to) const { return waywright::distance(from.pose.position(), to.pose.position()); }
   /// In order; empty where the states are the same. Of the plane one line, whose corners are no turns.

@@ -19,7 +19,9 @@ std::optional<Pose> StateTree::sampled(Random& random, Budget& budget) {
   if (options_.goal_bias > 0.0 && random.uniform() < options_.goal_bias) return query_->goal;
   const Steering& steering = query_->steering;
   return query_->draw(random, budget, [&](const Pose& pose) {
-    return !options_.informed || !is_found() || steering.least(query_->start, pose) + steering.least(pose, query_->goal) < best_cost_;
+    if (!options_.informed || !is_found()) return true;
+    const Facing start{query_->start}, at{pose}, goal{query_->goal};
+    return steering.bound(start, at) + steering.bound(at, goal) < best_cost_ && steering.least(query_->start, pose) + steering.least(pose, query_->goal) < best_cost_;
   }, options_.informed && is_found() ? best_cost_ : std::numeric_limits<double>::infinity());
 }
 
