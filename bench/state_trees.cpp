@@ -1,6 +1,6 @@
 // Trees and roadmaps among positions with headings: ours against OMPL's RRT* and PRM* with the same motions, tests, ends and shortcuts, one thread, in turn. What each is allowed
 // grows from line to line (samples; OMPL's: footprint placements). CPU time, as the machine may have other work. Prints the table of docs/trees.md.
-// usage: state_trees [SEEDS]
+// usage: state_trees [SEEDS [SCENARIO]]
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -57,9 +57,11 @@ void run(const Scene& scene, const Contestant& contestant, std::int64_t samples,
 
 int main(int argc, char** argv) {
   const int seeds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 10;
+  const std::string only = argc > 2 ? argv[2] : "";
   fmt::print("| scenario | space | planner | samples | solved | CPU ms | motions tested | m driven |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (const Scene& scene : {Scene{"rrt_woa/wheelchair_3.json", "turns"}, Scene{"rrt_woa/wheelchair_5.json", "turns"}, Scene{"rrt_woa/wheelchair_5.json", "dubins"},
                              Scene{"dock_cluttered.json", "reeds_shepp"}, Scene{"park_parallel.json", "reeds_shepp"}}) {
+    if (!only.empty() && only != scene.file) continue;
     for (const Contestant& contestant : {Contestant{"rrt", {10'000}}, Contestant{"rrt_star", {1000, 3000, 10'000}}, Contestant{"ompl_rrt_star", {10'000, 50'000, 200'000}},
                                          Contestant{"prm", {1000, 5000}}, Contestant{"ompl_prm_star", {10'000, 50'000}}}) {
       if (std::string{scene.space} == "dubins" && std::string{contestant.name} == "ompl_prm_star") continue;

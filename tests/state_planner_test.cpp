@@ -104,7 +104,8 @@ TEST(StatePlanners, RefusalsAreThoseOfTheLibrarysPlanners) {
   Scenario both = steered;
   both.mission = free.mission;
   for (const std::string& name : names) {
-    for (const auto& [scenario, space] : {std::pair{free, "reeds_shepp"}, {free, "turns"}, {steered, "plane"}, {steered, "turns"}, {both, "auto"}, {both, "plane"}, {example("undock_loaded.json"), "dubins"}}) {
+    for (const auto& [scenario, space] : {std::pair{free, "reeds_shepp"}, {free, "turns"}, {steered, "plane"}, {steered, "turns"}, {both, "auto"},
+                                          {both, "plane"}, {example("undock_loaded.json"), "dubins"}}) {
       const Plan ours = planned(scenario, name, {{"space", std::string{space}}}), theirs = planned(scenario, "ompl_rrt_star", {{"space", std::string{space}}});
       EXPECT_EQ(ours.status, Status::no_path);
       std::string words = theirs.reason;

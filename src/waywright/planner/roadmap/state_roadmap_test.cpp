@@ -132,7 +132,8 @@ TEST_P(EveryRoadmap, EndsWithItsBudgetAlsoWhileItGrows) {
   EXPECT_EQ(roadmap.shortest(asked.query, canceled).ended, RoadmapEnd::stopped);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, EveryRoadmap, testing::Values(SteeringKind::turns, SteeringKind::dubins, SteeringKind::reeds_shepp), [](const auto& entry) { return std::string{to_string(entry.param)}; });
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryRoadmap,
+                         testing::Values(SteeringKind::turns, SteeringKind::dubins, SteeringKind::reeds_shepp), [](const auto& entry) { return std::string{to_string(entry.param)}; });
 
 }  // namespace
 }  // namespace waywright

@@ -65,7 +65,8 @@ TEST_P(EveryBins, AnswersAreThoseOfLookingAtAll) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, EveryBins, testing::Values(SteeringKind::turns, SteeringKind::dubins, SteeringKind::reeds_shepp), [](const auto& entry) { return std::string{to_string(entry.param)}; });
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryBins,
+                         testing::Values(SteeringKind::turns, SteeringKind::dubins, SteeringKind::reeds_shepp), [](const auto& entry) { return std::string{to_string(entry.param)}; });
 
 }  // namespace
 }  // namespace waywright

@@ -14,7 +14,7 @@ std::vector<ParameterDescription> tree_parameters(TreeMethod method) {
       {.name = "shorten", .default_value = true, .summary = "leave out corners past which their neighbours see each other"},
   };
   if (method == TreeMethod::rrt || method == TreeMethod::rrt_star) {
-    all[2].summary = "from so near the goal is looked for, straight on";
+    all[2].summary = "straight distance from which on the goal is looked for";
     all[4].summary = "leave out corners past which their neighbours see each other; with headings, try motions between places on the way";
     for (ParameterDescription& p : space_parameters("reeds_shepp for a tricycle, plane where a disc serves, else turns")) all.push_back(std::move(p));
     all.push_back(resolution_parameter());
@@ -26,7 +26,10 @@ std::vector<ParameterDescription> tree_parameters(TreeMethod method) {
       {.name = "informed", .default_value = true, .summary = "once there is a way, draw only where a shorter one can lead past"},
   };
   all.insert(all.end(), star.begin(), star.end());
-  if (method == TreeMethod::rrt_star) return all;
+  if (method == TreeMethod::rrt_star) {
+    all[all.size() - star.size()].summary += "; with headings as many nearest states as it asks for";
+    return all;
+  }
   const bool is_local = method == TreeMethod::woa_local;
   const std::vector<ParameterDescription> whales{
       {.name = "population", .default_value = 10.0, .summary = "agents of the whale optimisation algorithm", .low = 2, .high = 1000, .whole = true},
@@ -99,7 +102,7 @@ PlannerDescription described(const char* name, const char* summary, TreeMethod m
 std::vector<PlannerDescription> tree_planner_descriptions() {
   return {
       described("rrt", "RRT, shortened: in the plane of a disc, or the disc around the footprint; among headings of the footprint itself, with turns on the spot, Dubins or Reeds-Shepp curves", TreeMethod::rrt),
-      described("rrt_star", "RRT* in the same spaces, with its gap to the shortest way", TreeMethod::rrt_star),
+      described("rrt_star", "RRT*, with its gap to the shortest way: in the plane as rrt, or among headings of the footprint itself", TreeMethod::rrt_star),
       described("rrt_star_woa_local", "RRT* whose every extension is aimed by the whale optimisation algorithm", TreeMethod::woa_local),
       described("rrt_star_woa_global", "RRT*, and the whale optimisation algorithm on the way that it found", TreeMethod::woa_global),
   };

@@ -33,8 +33,8 @@ struct StateTreeStatistics {
 /// RRT* looks for better parents among so many states as motions from cost least, k = e (1 + 1/d) ln n with d = 3, and for states to be hung on the new one among as many
 /// that motions to cost least (with Dubins curves others). That number is proven for straight lines (Karaman, Frazzoli 2011); where motions are curves the proof is of radii
 /// (2013) with the volume of what a motion of that cost reaches, whose exponent of 4 would ask for fewer. (Solovey et al., ICRA 2020, found a gap in the proof of RRT*'s radius and closed it
-/// with a slightly larger one.) `radius` > 0: all within that cost instead, as proven without doubt. Of the PlaneTreeOptions `goal_threshold` is the straight distance from which the goal is looked
-/// for, by whatever motion.
+/// with a slightly larger one.) `radius` > 0: all within that cost instead, more and more as the tree grows. Of the PlaneTreeOptions `goal_threshold` is the straight distance
+/// from which the goal is looked for, by whatever motion.
 ///
 /// Laws: cost(node) = cost(parent) + distance(parent, node) of the steering for every node but the first, exactly; every edge has been called free by the query's test; a
 /// state's cost never grows; same arguments, same bits.
