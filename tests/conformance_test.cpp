@@ -134,7 +134,7 @@ TEST_P(Conformance, EndsOnAFlagThatIsRaisedWhileItWorks) {
   }
   for (const ParameterDescription& p : planner().parameters) {
     if (p.name == "evaluations" || p.name == "iterations") scenario.planner.parameters[p.name] = p.high;  // far more than can be done meanwhile
-    if (p.name == "samples" && planner().turns_on_the_spot) scenario.planner.parameters[p.name] = p.high;
+    if (p.name == "samples" && counts_samples()) scenario.planner.parameters[p.name] = p.high;
     if (p.name == "resolution" && planner().counts_expansions) scenario.planner.parameters[p.name] = planner().name == "clearance_optimal" ? 0.03 : planner().name == "wavefront" ? 0.002 : 0.01;  // of motions fewer are searched
   }
   const Problem problem = Problem::prepare(scenario).value();

@@ -17,6 +17,7 @@ struct SearchPicture {
     Vec2 from{}, to{};
     std::uint32_t born = 0;      ///< there from this step on
     std::uint32_t gone = never;  ///< and not any more from this one on
+    std::vector<Vec2> bend{};    ///< places between both ends, in order, where it is not straight
   };
   struct Way {
     std::vector<Vec2> points;

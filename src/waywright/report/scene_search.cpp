@@ -43,8 +43,13 @@ Seen seen_of(const std::vector<Stroke>& lines, const Box& region, bool at_the_en
 std::string strokes(const SvgWriter& svg, const std::vector<Stroke>& lines) {
   std::string d;
   for (const Stroke& line : lines) {
-    const Vec2 a = svg.view()(line.from), b = svg.view()(line.to);
-    d += fmt::format("M{} {}L{} {}", fixed(a.x, 1), fixed(a.y, 1), fixed(b.x, 1), fixed(b.y, 1));
+    const auto add = [&](char how, Vec2 point) {
+      const Vec2 p = svg.view()(point);
+      d += fmt::format("{}{} {}", how, fixed(p.x, 1), fixed(p.y, 1));
+    };
+    add('M', line.from);
+    for (const Vec2 point : line.bend) add('L', point);
+    add('L', line.to);
   }
   return d;
 }

@@ -85,37 +85,10 @@ std::int64_t usual_checks(SamplingPlanner planner) {
 
 std::vector<ParameterDescription> parameters_of(SamplingPlanner planner) {
   const OmplOptions defaults;
-  std::vector<ParameterDescription> all{
-      {.name = "space",
-       .default_value = std::string{"auto"},
-       .summary = "plane: lines of the disc; turns: drives between turns on the spot; dubins, reeds_shepp: curves; auto: reeds_shepp for a tricycle, plane for a disc or a free goal, else turns",
-       .choices = {"auto", "plane", "turns", "dubins", "reeds_shepp"}},
-      {.name = "radius_factor",
-       .default_value = defaults.radius_factor,
-       .summary = "turning radius over the least one that the vehicle can drive",
-       .low = 1.0,
-       .high = 100.0},
-      {.name = "radius_without_limit",
-       .default_value = defaults.radius_without_limit,
-       .summary = "turning radius of a vehicle without a curvature limit",
-       .unit = "m",
-       .low = 0.01,
-       .high = 100.0},
-      {.name = "turn_cost",
-       .default_value = defaults.turn_cost,
-       .summary = "metres that a radian of turning on the spot counts as, in the space of turns",
-       .unit = "m",
-       .low = 0.001,
-       .high = 100.0},
-  };
+  std::vector<ParameterDescription> all = space_parameters("reeds_shepp for a tricycle, plane for a disc or a free goal, else turns");
   for (ParameterDescription& own : own_parameters(planner)) all.push_back(std::move(own));
   const std::vector<ParameterDescription> more{
-      {.name = "resolution",
-       .default_value = defaults.resolution,
-       .summary = "motions are tested down to this length; passages that are wider by less are missed",
-       .unit = "m",
-       .low = 1e-4,
-       .high = 0.1},
+      resolution_parameter(),
       {.name = "checks",
        .default_value = static_cast<double>(usual_checks(planner)),
        .summary = "footprint placements that may be tested; budget.samples takes its place",
@@ -148,13 +121,12 @@ std::string text_of(const ParameterValue& value, bool is_whole) {
 
 OmplOptions options_of(SamplingPlanner planner, const Parameters& p) {
   OmplOptions options;
-  for (const SteeringKind kind : steering_kinds) {
-    if (word_of(p, "space") == to_string(kind)) options.space = kind;
-  }
-  options.radius_factor = number_of(p, "radius_factor");
-  options.radius_without_limit = number_of(p, "radius_without_limit");
-  options.turn_cost = number_of(p, "turn_cost");
-  options.resolution = number_of(p, "resolution");
+  const SpaceOptions space = space_options(p);
+  options.space = space.space;
+  options.radius_factor = space.radius_factor;
+  options.radius_without_limit = space.radius_without_limit;
+  options.turn_cost = space.turn_cost;
+  options.resolution = space.resolution;
   options.checks = whole_number_of(p, "checks");
   options.goal_straight = number_of(p, "goal_straight");
   options.simplify = flag_of(p, "simplify");

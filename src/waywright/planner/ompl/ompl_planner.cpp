@@ -10,98 +10,27 @@
 #include "waywright/core/random.hpp"
 #include "waywright/geometry/polygon.hpp"
 #include "waywright/planner/ompl/ompl_words.hpp"
-#include "waywright/planner/steering/reeds_shepp.hpp"
+#include "waywright/planner/steering/search_ends.hpp"
 #include "waywright/planner/steering/shortcut.hpp"
+#include "waywright/planner/steering/spaces.hpp"
+#include "waywright/planner/steering/way_words.hpp"
 
 namespace waywright {
 namespace {
 
-constexpr double least_curvature =
-    1e-3;  // 1/m: on larger circles the words' rounding is no longer small against tolerances
-constexpr double tight =
-    0.002;  // m: an end with less than this beyond the required clearance is driven straight
-constexpr double straight_run = 0.05;  // m
 constexpr double enough = 1e-6;        // of the cost: nothing less can be
 constexpr double no_way = 1e-9;        // m
 constexpr double kept_for_shortcuts = 0.1;  // of the work of optimising planners
 constexpr int region_goals = 16;       // places of a goal's region that are aimed at
 
-SteeringKind space_of(const Problem& problem, const OmplOptions& options) {
-  if (options.space) return *options.space;
-  if (!problem.vehicle().can_turn_on_the_spot()) return SteeringKind::reeds_shepp;
-  return problem.footprint().is_disc() || problem.free_goal() != nullptr ? SteeringKind::plane : SteeringKind::turns;
-}
-
 /// What the vehicle, the task and the planner do not go together with; empty: nothing.
 std::string refusal(const Problem& problem, SteeringKind space, SamplingPlanner planner, std::string_view name, const OmplOptions& options) {
-  const bool turns = space == SteeringKind::plane || space == SteeringKind::turns;
-  if (turns && !problem.vehicle().can_turn_on_the_spot()) {
-    return fmt::format("{} in the space \"{}\" plans straight lines with turns on the spot, which a tricycle cannot drive: give space reeds_shepp or dubins", name, to_string(space));
-  }
-  if (problem.free_goal() != nullptr && space != SteeringKind::plane) {
-    return fmt::format("{} in the space \"{}\" plans to a goal pose, and this goal leaves the heading free: give space plane to a vehicle that can turn on the spot", name, to_string(space));
-  }
   if (space == SteeringKind::dubins && planner == SamplingPlanner::prm_star) {
     return fmt::format("{} drives the motions of its roadmap both ways, and Dubins curves lead forwards alone: give space reeds_shepp", name);
   }
-  if (space == SteeringKind::dubins && problem.is_driven_back()) {
-    return fmt::format("{} would drive back out of the station what Dubins curves drive forwards: give space reeds_shepp", name);
-  }
+  if (std::string reason = space_refusal(problem, space, name, label(planner)); !reason.empty()) return reason;
   if (problem.free_goal() != nullptr && options.goal_straight > 0.0) return fmt::format("{} cannot end in a straight run at a goal that leaves the heading free", name);
-  const double curvature = problem.vehicle().max_curvature();
-  if (!turns && curvature < least_curvature) {
-    return fmt::format("{} could not search: the vehicle's curvature limit of {:g} 1/m is under the {:g} 1/m that {} need", label(planner), curvature, least_curvature,
-                       space == SteeringKind::dubins ? "Dubins curves" : "Reeds-Shepp curves");
-  }
   return {};
-}
-
-double turning_radius(double curvature, const OmplOptions& options) {
-  return std::isfinite(curvature) ? options.radius_factor / std::max(curvature, least_curvature) : options.radius_without_limit;
-}
-
-/// An end of the task that just keeps its clearance, as a docked pose may, and the straight run between it
-/// and `pose`: on a line the clearance there is the same as at the end itself, on an arc it could be shown
-/// only up to the proof's tolerance.
-struct End {
-  Pose pose;
-  std::optional<Piece> run;
-};
-
-End end_of_search(MotionTest& test, const Pose& pose, bool is_start, bool backwards_too) {
-  if (test.pose_free_by(pose, tight)) return {pose, std::nullopt};
-  for (const double side : {-1.0, 1.0}) {  // backing off first: forks stand in front
-    const Vec2 away = pose.position() + side * straight_run * unit(pose.heading);
-    const bool forward = (side > 0.0) == is_start;
-    if (!forward && !backwards_too) continue;
-    const Piece run{is_start ? Line{pose.position(), away} : Line{away, pose.position()}, forward ? 1 : -1};
-    const Pose there = make_pose(away, pose.heading);
-    if (test.pose_free_by(there, tight) && test.motion_free(std::span{&run, 1})) return {there, run};
-  }
-  return {pose, std::nullopt};
-}
-
-/// The goal with a straight run forwards into it; the pose of the goal itself where that run is not free.
-End goal_with_run(MotionTest& test, const Pose& goal, double run) {
-  const Vec2 before = goal.position() - run * unit(goal.heading);
-  const Piece piece{Line{before, goal.position()}, 1};
-  if (!test.motion_free(std::span{&piece, 1})) return {goal, std::nullopt};
-  return {make_pose(before, goal.heading), piece};
-}
-
-Path with_runs(const Steering& steering, const End& start, const Path& middle, const End& goal) {
-  Path path;
-  const auto append = [&](const Piece& piece) {
-    if (steering.is_curve()) {
-      append_merged(path.pieces, piece);
-    } else {
-      path.pieces.push_back(piece);
-    }
-  };
-  if (start.run) append(*start.run);
-  for (const Piece& piece : middle.pieces) append(piece);
-  if (goal.run) append(*goal.run);
-  return path;
 }
 
 /// The way ends where it first comes into the goal's region, to a centimetre.
@@ -130,7 +59,7 @@ class Planning {
         planner_{planner},
         options_{options},
         seed_{seed},
-        steering_{make_steering(space, {turning_radius(problem.vehicle().max_curvature(), options), options.turn_cost, problem.footprint().radius()})},
+        steering_{make_steering(problem, space, options.of_space())},
         test_{problem, limits(), budget, space == SteeringKind::plane ? Footprint{{}, problem.footprint().radius()} : problem.footprint()} {}
 
   PlanningResult run() {
@@ -229,7 +158,7 @@ class Planning {
     SamplingQuery query;
     query.start = start_.pose;
     query.goals = goals_;
-    query.region = search_region(problem_, steering_->is_curve() ? turning_radius(problem_.vehicle().max_curvature(), options_) : 0.0, steering_->is_curve());
+    query.region = search_region(problem_, steering_->is_curve() ? turning_radius(problem_, options_.of_space()) : 0.0, steering_->is_curve());
     query.kept = options_.simplify ? kept_for_shortcuts : 0.0;
     search_ = sampling_search(planner_, options_.library, query, *steering_, test_, seed_);
   }
@@ -285,7 +214,7 @@ class Planning {
     chosen.cost = length(planned.path);
     chosen.is_length = true;
     chosen.outcome = library::outcome_of(planned.path);
-    chosen.poses = library::picture_of(planned.path);
+    chosen.poses = poses_along(planned.path);
     planned.alternatives.push_back(std::move(chosen));
     return planned;
   }
@@ -297,7 +226,7 @@ class Planning {
   std::uint64_t seed_;
   std::unique_ptr<const Steering> steering_;
   MotionTest test_;
-  End start_, goal_;
+  StateEnd start_, goal_;
   std::vector<Pose> goals_;
   SamplingResult search_;
 };
@@ -318,7 +247,7 @@ std::string_view OmplPlanner::name() const {
 }
 
 PlanningResult OmplPlanner::plan(const Problem& problem, Budget& budget) const {
-  const SteeringKind space = space_of(problem, options_);
+  const SteeringKind space = chosen_space(problem, options_.of_space(), false);
   if (std::string reason = refusal(problem, space, planner_, name(), options_); !reason.empty()) {
     PlanningFailure refused;
     refused.failure.status = Status::no_path;

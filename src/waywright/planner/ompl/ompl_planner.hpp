@@ -11,6 +11,7 @@
 
 #include "waywright/planner/ompl/sampling_search.hpp"
 #include "waywright/planner/planner.hpp"
+#include "waywright/planner/steering/spaces.hpp"
 
 namespace waywright {
 
@@ -20,14 +21,14 @@ struct OmplOptions {
   std::optional<SteeringKind> space;
   /// Turning radius over 1/(greatest curvature): a little more than 1, so that rounding never breaks the
   /// limit.
-  double radius_factor = 1.001;
+  double radius_factor = SpaceOptions{}.radius_factor;
   /// m, turning radius of a vehicle without a curvature limit: small, but no turning on the spot.
-  double radius_without_limit = 0.3;
+  double radius_without_limit = SpaceOptions{}.radius_without_limit;
   /// m that a radian of turning on the spot counts as, in the space of turns.
-  double turn_cost = 0.05;
+  double turn_cost = SpaceOptions{}.turn_cost;
   /// m: motions are tested down to this length; passages wider than what is required by less than about this
   /// are missed.
-  double resolution = 0.001;
+  double resolution = SpaceOptions{}.resolution;
   /// Footprint placements that may be tested; a scenario's budget.samples takes its place.
   std::int64_t checks = 60000;
   /// m: the last stretch into the goal is this long, straight and forwards; 0: as it comes.
@@ -38,6 +39,8 @@ struct OmplOptions {
   int shortcuts = 300;
   /// OMPL's own, by its names; what is left out is as OMPL has it.
   LibraryParameters library{};
+
+  SpaceOptions of_space() const { return {space, radius_factor, radius_without_limit, turn_cost, resolution}; }
 };
 
 /// Any goal pose, the docked pose of a station included; in the plane goals that leave the heading free too. No optimum is promised: the

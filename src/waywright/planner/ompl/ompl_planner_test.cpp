@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "waywright/judge/judge.hpp"
+#include "waywright/planner/steering/search_ends.hpp"
 #include "waywright/planner/steering/shortcut.hpp"
 
 namespace waywright {

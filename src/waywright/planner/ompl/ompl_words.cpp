@@ -2,44 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <utility>
+
+#include "waywright/planner/steering/way_words.hpp"
 
 namespace waywright::library {
 namespace {
 
-constexpr double picture_tolerance = 0.01;  // m
-
 std::string counted(std::int64_t n, const char* one, const char* many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
-}
-
-struct Counts {
-  int direction_changes = 0;
-  int curvature_jumps = 0;  ///< while the direction stays
-  int turns = 0;            ///< on the spot
-  double turning = 0.0;     ///< rad, in all
-};
-
-Counts count(const Path& path) {
-  Counts counts;
-  int direction = 0;
-  const Piece* before = nullptr;
-  for (const Piece& piece : path.pieces) {
-    if (const auto* turn = std::get_if<Turn>(&piece.curve)) {
-      ++counts.turns;
-      counts.turning += std::abs(turn->angle);
-      before = nullptr;
-      continue;
-    }
-    if (direction != 0 && piece.direction != direction) {
-      ++counts.direction_changes;
-    } else if (before != nullptr && end_curvature(*before) != start_curvature(piece)) {
-      ++counts.curvature_jumps;
-    }
-    direction = piece.direction;
-    before = &piece;
-  }
-  return counts;
 }
 
 std::string what_ended(const MotionTest& test, const Budget& budget) {
@@ -70,13 +41,6 @@ std::string states_told(const Told& told) {
 
 std::string name_of_alternative(SamplingPlanner planner, SteeringKind kind) { return fmt::format("{}, {}", space_word(kind), label(planner)); }
 
-std::vector<Pose> picture_of(const Path& path) {
-  std::vector<Pose> poses;
-  if (path.pieces.empty()) return poses;
-  for (const Sample& s : sample(path, 0.0, picture_tolerance, 0.12)) poses.push_back(s.pose());
-  return poses;
-}
-
 PlanningFailure failed(const Told& told, const Problem& problem, const Path& nearest, Alternative alternative) {
   PlanningFailure failure;
   failure.failure.status = told.budget.canceled()    ? Status::canceled
@@ -104,21 +68,20 @@ PlanningFailure failed(const Told& told, const Problem& problem, const Path& nea
     }
   }
   alternative.outcome = reason + ".";
-  alternative.poses = picture_of(nearest);
+  alternative.poses = poses_along(nearest);
   failure.explanation.push_back(reason + ".");
   failure.alternatives.push_back(std::move(alternative));
   return failure;
 }
 
 std::vector<std::string> explain(const Told& told, const Path& path, std::optional<double> before, bool is_shortest) {
-  const Counts counts = count(path);
+  const WayCounts counts = counts_of(path);
   std::vector<std::string> text;
   text.push_back(fmt::format("This is the path of a sampling planner, {} with {}: another seed gives another path, and a shorter one may exist.", label(told.planner), told.steering.words()));
   if (is_shortest) text.back() = fmt::format("This is the path of a sampling planner, {} with {}: it is the least costly one that such motions can make between its ends.", label(told.planner), told.steering.words());
   std::string metres = fmt::format("It is {:.2f} m long", length(path));
   if (before) metres += fmt::format(", {:.2f} m before it was shortened", *before);
-  std::string with = fmt::format(", with {}", counted(counts.direction_changes, "change of direction", "changes of direction"));
-  if (!told.steering.is_curve()) with += fmt::format(" and {}, {:.1f}° in all", counted(counts.turns, "turn on the spot", "turns on the spot"), counts.turning * 180.0 / pi);
+  const std::string with = ", with " + changes_words(counts, !told.steering.is_curve());
   const std::int64_t states = told.search.start_states + told.search.goal_states;
   const std::string reached = told.planner == SamplingPlanner::rrt_connect ? fmt::format("{} reached from start and goal", counted(states, "state was", "states were"))
                               : states == 0                                ? std::string{"the motion from start to goal was free"}
@@ -126,17 +89,12 @@ std::vector<std::string> explain(const Told& told, const Path& path, std::option
   text.push_back(metres + with +
                  fmt::format("; {} and {} were tested, and {}.", counted(told.test.placements(), "footprint placement", "footprint placements"),
                              counted(told.test.motions(), "candidate motion", "candidate motions"), reached));
-  if (counts.curvature_jumps > 0) {
-    text.push_back(fmt::format(
-        "Its curvature jumps at {} between changes of direction: there a vehicle whose steering takes "
-        "time stops and turns the steered wheel.",
-        counted(counts.curvature_jumps, "place", "places")));
-  }
+  if (std::string jumps = jumps_sentence(counts); !jumps.empty()) text.push_back(std::move(jumps));
   return text;
 }
 
 std::string outcome_of(const Path& path) {
-  return fmt::format("{:.2f} m, {}.", length(path), counted(count(path).direction_changes, "change of direction", "changes of direction"));
+  return fmt::format("{:.2f} m, {}.", length(path), changes_words(counts_of(path), false));
 }
 
 }  // namespace waywright::library

@@ -28,6 +28,4 @@ std::vector<std::string> explain(const Told& told, const Path& path, std::option
 /// "12.34 m, 2 changes of direction."
 std::string outcome_of(const Path& path);
 
-std::vector<Pose> picture_of(const Path& path);
-
 }  // namespace waywright::library

@@ -10,6 +10,7 @@
 #include "waywright/core/random.hpp"
 #include "waywright/judge/judge.hpp"
 #include "waywright/planner/steering/reeds_shepp.hpp"
+#include "waywright/planner/steering/search_ends.hpp"
 
 namespace waywright {
 namespace {

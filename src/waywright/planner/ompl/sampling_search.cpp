@@ -27,9 +27,6 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-constexpr double detour = 10.0;        // turning circles' reach that positions are drawn beyond start and goal
-constexpr double bounds_slack = 1e-6;  // m, so that poses on the edge are inside
-
 std::mutex& ompl_mutex() {
   static std::mutex one;
   return one;
@@ -219,41 +216,6 @@ std::string_view label(SamplingPlanner planner) {
 }
 
 bool is_optimising(SamplingPlanner planner) { return planner != SamplingPlanner::rrt_connect && planner != SamplingPlanner::kpiece; }
-
-Box search_region(const Problem& problem, double radius, bool is_curve) {
-  const Vec2 reach{2.0 * radius + problem.footprint().radius(),
-                   2.0 * radius + problem.footprint().radius()};
-  std::vector<Vec2> points{problem.start().position(), problem.goal().position()};
-  if (const FreeGoal* free = problem.free_goal()) points.insert(points.end(), free->area.begin(), free->area.end());
-  const Box ends = bounding_box(points);
-  const World& world = problem.world();
-  Box region{ends.low - detour * reach, ends.high + detour * reach};
-  const auto keep_inside = [&region](const Box& box) {
-    region.low = {std::max(region.low.x, box.low.x), std::max(region.low.y, box.low.y)};
-    region.high = {std::min(region.high.x, box.high.x), std::min(region.high.y, box.high.y)};
-  };
-  if (world.empty()) {
-    keep_inside({ends.low - reach, ends.high + reach});
-  } else {
-    // Round everything known there may be a way; beyond that there is nothing to go round.
-    const Box known = world.bounds();
-    const Box around{Vec2{std::min(known.low.x, ends.low.x), std::min(known.low.y, ends.low.y)} - reach,
-                     Vec2{std::max(known.high.x, ends.high.x), std::max(known.high.y, ends.high.y)} + reach};
-    if (!is_curve) region = around;  // straight ways through a maze lead as far as it does
-    keep_inside(around);
-  }
-  for (const Ring& boundary : world.map().boundaries) keep_inside(bounding_box(boundary));
-  for (const CellGrid& grid : world.map().grids) {
-    if (!grid.bounds) continue;
-    keep_inside(bounding_box({grid.corner(0, 0), grid.corner(grid.columns, 0), grid.corner(0, grid.rows),
-                              grid.corner(grid.columns, grid.rows)}));
-  }
-  if (const auto* station = std::get_if<Station>(&problem.scenario().mission))
-    keep_inside(bounding_box(station->area));
-  const Vec2 slack{bounds_slack, bounds_slack};
-  return {Vec2{std::min(region.low.x, ends.low.x), std::min(region.low.y, ends.low.y)} - slack,
-          Vec2{std::max(region.high.x, ends.high.x), std::max(region.high.y, ends.high.y)} + slack};
-}
 
 SamplingResult sampling_search(SamplingPlanner planner, const LibraryParameters& parameters, const SamplingQuery& query, const Steering& steering, MotionTest& test,
                              std::uint64_t seed) {

@@ -46,10 +46,6 @@ struct SamplingResult {
   std::string error;               ///< what the library refused; empty in a healthy run
 };
 
-/// Where positions are drawn. Of curves: about start and goal, wide enough for detours of some turning circles. Inside of what bounds the
-/// world, around everything that is known, and with both ends in it.
-Box search_region(const Problem& problem, double radius, bool is_curve = true);
-
 /// Ends where a way is found, of optimising planners where none can be shorter, or where the test's limits are spent. Every motion of the
 /// way has been called free by `test`. Same arguments, same bits.
 SamplingResult sampling_search(SamplingPlanner planner, const LibraryParameters& parameters, const SamplingQuery& query, const Steering& steering, MotionTest& test,

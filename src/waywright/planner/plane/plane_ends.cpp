@@ -64,6 +64,11 @@ std::optional<PlaneEnd> plane_start(const PlaneSpace& space) { return end_at(spa
 
 std::optional<PlaneEnd> plane_goal(const PlaneSpace& space) { return end_at(space, space.problem().goal(), false, space.problem().free_goal() != nullptr); }
 
+bool disc_serves(const PlaneSpace& space) {
+  const auto start = plane_start(space), goal = plane_goal(space);
+  return start && goal && space.may_join(start->at, goal->at);
+}
+
 Path plane_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal) {
   const Problem& problem = space.problem();
   if (problem.vehicle().moves_any_way()) return slid_path(space, start, points, goal);

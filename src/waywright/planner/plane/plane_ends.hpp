@@ -25,6 +25,9 @@ std::optional<PlaneEnd> plane_goal(const PlaneSpace& space);
 /// m
 double longest_run(const PlaneSpace& space);
 
+/// Does the disc serve: can it stand at both ends, or where runs from there lead, and may a way of it join them?
+bool disc_serves(const PlaneSpace& space);
+
 /// A path along corners: lines with turns on the spot; of a vehicle that moves any way lines and arcs (see rounded_way.hpp) on which its heading goes evenly from the
 /// start's to the goal's. `points` go from start.at to goal.at (where the goal's heading is free, to where the way ends).
 Path plane_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal);

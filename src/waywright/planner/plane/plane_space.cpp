@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "waywright/planner/grid/motion_check.hpp"
 
@@ -101,6 +103,37 @@ bool PlaneSpace::is_free_between(Vec2 from, Vec2 to, double length, double room_
   }
   const Vec2 first = from + begin * along;
   return keeps(first, end < length ? from + end * along : to, margin, field_.at(first) > 0.0F);
+}
+
+bool PlaneSpace::may_join(Vec2 from, Vec2 to) const {
+  const int columns = field_.columns(), rows = field_.rows();
+  const auto cell_of = [&](Vec2 p) {
+    const Vec2 off = (1.0 / field_.cell()) * (p - field_.origin());
+    return std::pair{std::clamp(static_cast<int>(off.x), 0, columns - 1), std::clamp(static_cast<int>(off.y), 0, rows - 1)};
+  };
+  const auto index = [&](int column, int row) { return (static_cast<std::size_t>(row) << field_.row_shift()) + static_cast<std::size_t>(column); };
+  std::vector<bool> seen(field_.values().size(), false);
+  const auto [c, r] = cell_of(from);
+  const auto [goal_column, goal_row] = cell_of(to);
+  std::vector<std::pair<int, int>> waiting{{c, r}};
+  seen[index(c, r)] = true;
+  const double slack = field_.slack();
+  while (!waiting.empty()) {
+    const auto [column, row] = waiting.back();
+    waiting.pop_back();
+    if (column == goal_column && row == goal_row) return true;
+    for (int dr = -1; dr <= 1; ++dr) {
+      for (int dc = -1; dc <= 1; ++dc) {  // across corners, too: a way may lead through one
+        const int nc = column + dc, nr = row + dr;
+        if (nc < 0 || nr < 0 || nc >= columns || nr >= rows || seen[index(nc, nr)]) continue;
+        seen[index(nc, nr)] = true;
+        const double value = field_.values()[index(nc, nr)];
+        if (value >= 0.0 && value + slack <= needed_) continue;  // nowhere in it
+        waiting.emplace_back(nc, nr);
+      }
+    }
+  }
+  return false;
 }
 
 bool PlaneSpace::keeps(Vec2 from, Vec2 to, double margin, bool is_outside) const {

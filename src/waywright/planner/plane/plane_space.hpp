@@ -28,6 +28,9 @@ class PlaneSpace {
   /// The same of another distance to be kept. @pre margin ≥ 0
   bool is_free(Vec2 point, double margin) const;
   bool is_free(Vec2 from, Vec2 to, double margin) const;
+  /// False where no way of the disc's middle that keeps what is needed joins both places, told by the cells of the table alone: gaps that are too narrow by less than some
+  /// cells count as open.
+  bool may_join(Vec2 from, Vec2 to) const;
   /// No obstacle is nearer to the point than this, m; 0 where nothing is known.
   double at_least(Vec2 point) const { return std::max(0.0, static_cast<double>(field_.at(point))); }
 

@@ -35,4 +35,9 @@ double proven_radius(double free_area, double places) {
   return 1.0001 * 2.0 * std::sqrt(1.5) * std::sqrt(free_area / std::numbers::pi) * std::sqrt(logarithm(n) / n);
 }
 
+int proven_neighbours(double states) {
+  constexpr double dimensions = 3.0;
+  return static_cast<int>(std::numbers::e * (1.0 + 1.0 / dimensions) * logarithm(std::max(2.0, states))) + 1;
+}
+
 }  // namespace waywright

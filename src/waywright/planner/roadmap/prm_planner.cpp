@@ -10,6 +10,7 @@
 #include "waywright/planner/grid/grid_words.hpp"
 #include "waywright/planner/plane/plane_ends.hpp"
 #include "waywright/planner/roadmap/least_length.hpp"
+#include "waywright/planner/roadmap/state_roadmap.hpp"
 #include "waywright/scenario/parameter_values.hpp"
 
 namespace waywright {
@@ -28,12 +29,28 @@ std::vector<Pose> picture_of(const std::vector<Vec2>& points) {
   return poses;
 }
 
+std::uint32_t step_of(std::int64_t tested) { return static_cast<std::uint32_t>(std::min<std::int64_t>(tested, SearchPicture::never - 1)); }
+
+constexpr const char* picture_name = "lines of the roadmap that the search took";
+
 SearchPicture picture_of(const RoadmapAnswer& answer) {
   SearchPicture picture;
-  picture.name = "lines of the roadmap that the search took";
-  picture.steps = static_cast<std::uint32_t>(std::min<std::int64_t>(answer.lines, SearchPicture::never - 1));
-  picture.lines = answer.taken;
+  picture.name = picture_name;
+  picture.steps = step_of(answer.lines);
+  for (const RoadmapAnswer::Taken& taken : answer.taken) picture.lines.push_back({taken.from, taken.to, step_of(taken.tested)});
   if (answer.ended == RoadmapEnd::found) picture.ways = {{answer.way, picture.steps}};
+  return picture;
+}
+
+SearchPicture picture_of(const LazyAnswer<Pose>& answer, const StateQuery& query) {
+  SearchPicture picture;
+  picture.name = picture_name;
+  picture.steps = step_of(answer.lines);
+  for (const LazyAnswer<Pose>::Taken& taken : answer.taken) {
+    SearchPicture::Line& line = picture.lines.emplace_back(SearchPicture::Line{taken.from.position(), taken.to.position(), step_of(taken.tested)});
+    line.bend = query.bend_between(taken.from, taken.to);
+  }
+  if (answer.ended == RoadmapEnd::found) picture.ways = {{query.places_along(answer.way), picture.steps}};
   return picture;
 }
 
@@ -46,7 +63,9 @@ RoadmapOptions limited(RoadmapOptions options, const BudgetLimits& limits) {
 
 class PrmPlanner::Ready {
  public:
-  Ready(const Problem& problem, const PrmPlannerOptions& options, std::uint64_t seed) : space_{problem}, options_{options}, seed_{seed} {}
+  Ready(const Problem& problem, const PrmPlannerOptions& options, std::uint64_t seed) : space_{problem}, options_{options}, seed_{seed} {
+    kind_ = chosen_space(problem, options.space, problem.free_goal() == nullptr && !problem.footprint().is_disc() && !options.space.space && disc_serves(space_));
+  }
   Ready(const Ready&) = delete;
   Ready& operator=(const Ready&) = delete;
 
@@ -55,7 +74,7 @@ class PrmPlanner::Ready {
   void draw_beforehand() {
     const Problem& problem = space_.problem();
     const RoadmapOptions options = limited(options_.roadmap, problem.scenario().budget);
-    if (!problem.vehicle().can_turn_on_the_spot() || options.samples > most_drawn_beforehand) return;
+    if (kind_ != SteeringKind::plane || !problem.vehicle().can_turn_on_the_spot() || options.samples > most_drawn_beforehand) return;
     Budget unlimited;
     drawn_.emplace(space_, options, seed_, unlimited);
   }
@@ -63,6 +82,10 @@ class PrmPlanner::Ready {
   PlanningResult plan(Budget& budget) const {
     using grid::failure;
     const Problem& problem = space_.problem();
+    if (kind_ != SteeringKind::plane) return among_states(budget);
+    if (options_.space.space) {  // it was asked for
+      if (std::string reason = space_refusal(problem, kind_, "prm", "PRM"); !reason.empty()) return tl::unexpected{failure(Status::no_path, std::move(reason))};
+    }
     if (auto reason = nothing_to_plan(problem, "prm")) return tl::unexpected{failure(Status::no_path, std::move(*reason))};
     if (budget.exhausted()) return tl::unexpected{stopped(budget, 0)};
     const auto start = plane_start(space_);
@@ -86,6 +109,34 @@ class PrmPlanner::Ready {
   }
 
  private:
+  PlanningResult among_states(Budget& budget) const {
+    const RoadmapOptions options = limited(options_.roadmap, budget.limits());
+    const auto search = [&](const StateQuery& query) {
+      const StateRoadmap roadmap{query, options, seed_, budget};
+      LazyAnswer<Pose> found;
+      if (roadmap.is_whole()) found = roadmap.shortest(query, budget);
+      const std::string joined = roadmap.neighbours() > 0 ? fmt::format("each with motions to {} others", roadmap.neighbours()) : fmt::format("with motions of up to {:.2f} m", options.radius);
+      const std::string has = fmt::format("{}, {}", counted(static_cast<std::int64_t>(roadmap.size()), "state"), joined);
+      StateAnswer answer;
+      answer.picture = picture_of(found, query);
+      if (roadmap.is_whole() && found.ended == RoadmapEnd::found) {
+        answer.states = found.way;
+        answer.is_least = found.way.size() == 2;
+        answer.found = fmt::format("Its roadmap has {}; the least costly way in it, of cost {:.3f} m, was found by A* with {} tested", has, found.length, counted(found.lines, "motion"));
+        return answer;
+      }
+      const std::string ended = !roadmap.is_whole() || found.ended == RoadmapEnd::stopped ? fmt::format("the {:g} s of its budget were over", budget.limits().seconds.value_or(0.0))
+                                : found.ended == RoadmapEnd::lines                        ? fmt::format("all {} of its budget were tested", counted(query.test.motions(), "motion"))
+                                : found.ended == RoadmapEnd::crowded
+                                    ? fmt::format("more than {} million motions waited to be tested: fewer samples make a smaller roadmap", ProbabilisticRoadmap::most_waiting / 1'000'000)
+                                    : fmt::format("all that is joined to the start was searched, with {} tested; more samples find what fewer miss", counted(found.lines, "motion"));
+      answer.missed = fmt::format("a roadmap of {}, holds no way from start to goal: {}; {} of its states were reached", has, ended, std::max<std::int64_t>(0, found.reached - 1));
+      answer.nearest = found.way;
+      return answer;
+    };
+    return StatePlanning{space_, kind_, options_.space, "prm", "PRM"}.plan(search, options_.shortens, seed_, budget);
+  }
+
   PlanningFailure stopped(const Budget& budget, std::int64_t samples) const {
     if (budget.canceled()) return grid::failure(Status::canceled, fmt::format("canceled after {}", counted(samples, "sample")));
     return grid::failure(Status::timed_out, fmt::format("the {:g} s of its budget were over after {}", budget.limits().seconds.value_or(0.0), counted(samples, "sample")));
@@ -112,6 +163,7 @@ class PrmPlanner::Ready {
     } else if (answer.ended == RoadmapEnd::unreachable) {
       reason += "; more samples find what fewer miss";
     }
+    if (!space_.problem().footprint().is_disc() && space_.problem().free_goal() == nullptr) reason += "; the space \"turns\" plans for the footprint itself";
     if (budget.exhausted()) return stopped(budget, static_cast<std::int64_t>(roadmap.size()));
     PlanningFailure failed = grid::failure(Status::no_path, reason);
     Alternative tried;
@@ -162,6 +214,7 @@ class PrmPlanner::Ready {
   PlaneSpace space_;
   PrmPlannerOptions options_;
   std::uint64_t seed_;
+  SteeringKind kind_ = SteeringKind::plane;
   std::optional<ProbabilisticRoadmap> drawn_;
 };
 
@@ -180,24 +233,26 @@ PlanningResult PrmPlanner::plan(const Problem& problem, Budget& budget) const {
 
 PlannerDescription prm_description() {
   PlannerDescription d{"prm",
-                       "probabilistic roadmap in the plane (PRM*), shortened; of a disc, or the disc around the footprint",
+                       "probabilistic roadmap (PRM*), shortened: in the plane of a disc, or the disc around the footprint; among headings of the footprint itself, with turns on the spot, Dubins or Reeds-Shepp curves",
                        {
-                           {.name = "samples", .default_value = 1000.0, .summary = "free places drawn; budget.samples takes its place", .low = 1,
+                           {.name = "samples", .default_value = 1000.0, .summary = "free places, or states, drawn; budget.samples takes its place", .low = 1,
                             .high = static_cast<double>(ProbabilisticRoadmap::most_samples), .whole = true},
-                           {.name = "radius", .default_value = 0.0, .summary = "within which places are joined; 0: that of the proof of optimality, which shrinks with more samples", .unit = "m", .low = 0,
+                           {.name = "radius", .default_value = 0.0, .summary = "within which places are joined; 0: that of the proof of optimality, which shrinks with more samples; with headings so many nearest ones as it asks for", .unit = "m", .low = 0,
                             .high = 1e4},
                            {.name = "neighbours", .default_value = 0.0, .summary = "so many nearest places are joined instead; 0: those within the radius", .low = 0, .high = 100, .whole = true},
-                           {.name = "shorten", .default_value = true, .summary = "leave out corners past which their neighbours see each other"},
+                           {.name = "shorten", .default_value = true, .summary = "leave out corners past which their neighbours see each other; with headings, try motions between places on the way"},
                        },
                        [](const Parameters& p, std::uint64_t seed) -> AnyPlanner {
                          PrmPlannerOptions options;
                          options.roadmap = {whole_number_of(p, "samples"), number_of(p, "radius"), static_cast<int>(number_of(p, "neighbours"))};
                          options.shortens = flag_of(p, "shorten");
+                         options.space = space_options(p);
                          return PrmPlanner{options, seed};
                        }};
+  for (ParameterDescription& parameter : space_parameters("reeds_shepp for a tricycle, plane where a disc serves, else turns")) d.parameters.push_back(std::move(parameter));
+  d.parameters.push_back(resolution_parameter());
   d.counts_samples = [](const Parameters&) { return true; };
   d.takes_free_goals = true;
-  d.turns_on_the_spot = true;
   return d;
 }
 

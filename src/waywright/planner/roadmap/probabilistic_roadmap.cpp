@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <queue>
 #include <utility>
 
 #include "waywright/core/random.hpp"
@@ -14,107 +12,38 @@ namespace waywright {
 namespace {
 
 constexpr int tries_a_sample = 10'000;  // places drawn until one is free
-constexpr int clock_every = 32;         // samples, or lines
+constexpr int clock_every = 32;         // samples
 
-/// A* with lines that are tested when they come first (Bohlin, Kavraki 2000; one entry a line).
-class LazySearch {
+/// What the search sees of roadmap, ends and lines.
+class Graph {
  public:
-  LazySearch(const PlaneSpace& space, const ProbabilisticRoadmap& roadmap, Vec2 start, const PlaneTarget& goal, Budget& budget, std::int64_t lines)
-      : space_{space}, roadmap_{roadmap}, places_{roadmap.places()}, start_{start}, goal_{goal}, budget_{budget}, lines_{lines}, count_{static_cast<std::uint32_t>(places_.size())} {}
+  using Place = Vec2;
+  Graph(const PlaneSpace& space, const ProbabilisticRoadmap& roadmap, Vec2 start, const PlaneTarget& goal) : space_{space}, roadmap_{roadmap}, start_{start}, goal_{goal} {}
 
-  RoadmapAnswer run() {
-    const std::vector<std::uint32_t> from_start = roadmap_.near(start_), to_goal = roadmap_.near(goal_);
-    is_before_goal_.assign(count_, false);
-    for (const std::uint32_t i : to_goal) is_before_goal_[i] = true;
-    parents_.assign(count_ + 2, none);
-    costs_.assign(count_ + 2, std::numeric_limits<double>::infinity());
-    settle(start(), none, 0.0);
-    for (const std::uint32_t i : from_start) offer(start(), i);
-    if (const double length = distance(start_, goal_.nearest(start_)); roadmap_.radius() <= 0.0 || length <= roadmap_.radius()) offer(start(), goal());
-    answer_.ended = search();
-    const std::uint32_t last = answer_.ended == RoadmapEnd::found ? goal() : nearest_;
-    answer_.length = costs_[last];
-    for (std::uint32_t i = last; i != none; i = parents_[i]) {
-      const Vec2 at = i == goal() ? goal_.nearest(place(parents_[i])) : place(i);
-      if (answer_.way.empty() || answer_.way.back() != at) answer_.way.push_back(at);
-    }
-    std::reverse(answer_.way.begin(), answer_.way.end());
-    return std::move(answer_);
-  }
+  std::uint32_t count() const { return static_cast<std::uint32_t>(roadmap_.size()); }
+  Vec2 place(std::uint32_t i) const { return roadmap_.places()[i]; }
+  Vec2 start() const { return start_; }
+  Vec2 goal_from(Vec2 at) const { return goal_.nearest(at); }
+  double cost(Vec2 from, Vec2 to) const { return distance(from, to); }
+  double least(Vec2 at) const { return distance(at, goal_.nearest(at)); }
+  bool is_free(Vec2 from, Vec2 to) const { return space_.is_free(from, to); }
+  std::vector<RoadmapNeighbour> from_start() const { return with_costs(start_, roadmap_.near(start_)); }
+  std::vector<RoadmapNeighbour> neighbours(std::uint32_t i) const { return with_costs(place(i), roadmap_.neighbours_of(i)); }
+  std::vector<std::uint32_t> before_goal() const { return roadmap_.near(goal_); }
+  bool joins_ends(double cost) const { return roadmap_.radius() <= 0.0 || cost <= roadmap_.radius(); }
 
  private:
-  static constexpr std::uint32_t none = PointBins::none;
-  struct Entry {
-    double estimate, cost;
-    std::uint32_t node, parent;
-    /// Worse ones first, for a queue whose top is the last. In full order: the same whoever compares.
-    bool operator<(const Entry& o) const {
-      if (estimate != o.estimate) return estimate > o.estimate;
-      if (cost != o.cost) return cost < o.cost;
-      if (node != o.node) return node > o.node;
-      return parent > o.parent;
-    }
-  };
-  std::uint32_t start() const { return count_; }
-  std::uint32_t goal() const { return count_ + 1; }
-  Vec2 place(std::uint32_t i) const { return i == start() ? start_ : places_[i]; }
-
-  void settle(std::uint32_t node, std::uint32_t parent, double cost) {
-    parents_[node] = parent;
-    costs_[node] = cost;
-    if (node == goal()) return;
-    ++answer_.reached;
-    const Vec2 at = place(node);
-    const double off = distance(at, goal_.nearest(at));
-    if (off >= missing_) return;
-    missing_ = off;
-    nearest_ = node;
-  }
-
-  void offer(std::uint32_t from, std::uint32_t to) {
-    if (std::isfinite(costs_[to])) return;
-    const Vec2 here = place(from), there = to == goal() ? goal_.nearest(here) : places_[to];
-    const double cost = costs_[from] + distance(here, there);
-    waiting_.push({to == goal() ? cost : cost + distance(there, goal_.nearest(there)), cost, to, from});
-  }
-
-  RoadmapEnd search() {
-    for (std::int64_t step = 0; !waiting_.empty(); ++step) {
-      if (step % clock_every == 0 && budget_.exhausted()) return RoadmapEnd::stopped;
-      const Entry next = waiting_.top();
-      waiting_.pop();
-      if (std::isfinite(costs_[next.node])) continue;
-      const Vec2 from = place(next.parent), to = next.node == goal() ? goal_.nearest(from) : places_[next.node];
-      if (from != to) {
-        if (answer_.lines >= lines_) return RoadmapEnd::lines;
-        ++answer_.lines;
-        if (!space_.is_free(from, to)) continue;
-      }
-      settle(next.node, next.parent, next.cost);
-      answer_.taken.push_back({from, to, static_cast<std::uint32_t>(std::min<std::int64_t>(answer_.lines, SearchPicture::never - 1))});
-      if (next.node == goal()) return RoadmapEnd::found;
-      if (waiting_.size() > ProbabilisticRoadmap::most_waiting) return RoadmapEnd::crowded;
-      if (is_before_goal_[next.node]) offer(next.node, goal());
-      for (const std::uint32_t i : roadmap_.neighbours_of(next.node)) offer(next.node, i);
-    }
-    return RoadmapEnd::unreachable;
+  std::vector<RoadmapNeighbour> with_costs(Vec2 at, const std::vector<std::uint32_t>& near) const {
+    std::vector<RoadmapNeighbour> all;
+    all.reserve(near.size());
+    for (const std::uint32_t i : near) all.push_back({i, distance(at, place(i))});
+    return all;
   }
 
   const PlaneSpace& space_;
   const ProbabilisticRoadmap& roadmap_;
-  const std::vector<Vec2>& places_;
   Vec2 start_;
   const PlaneTarget& goal_;
-  Budget& budget_;
-  std::int64_t lines_;
-  std::uint32_t count_;
-  std::vector<bool> is_before_goal_;
-  std::vector<std::uint32_t> parents_;
-  std::vector<double> costs_;  // m; +∞: not reached
-  std::priority_queue<Entry> waiting_;
-  double missing_ = std::numeric_limits<double>::infinity();
-  std::uint32_t nearest_ = none;
-  RoadmapAnswer answer_;
 };
 
 }  // namespace
@@ -246,7 +175,8 @@ std::vector<std::uint32_t> ProbabilisticRoadmap::near(const PlaneTarget& goal) c
 }
 
 RoadmapAnswer ProbabilisticRoadmap::shortest(Vec2 start, const PlaneTarget& goal, Budget& budget, std::int64_t lines) const {
-  return LazySearch{space_, *this, start, goal, budget, lines}.run();
+  Graph graph{space_, *this, start, goal};
+  return LazySearch<Graph>{graph, budget, {lines, most_waiting}}.run();
 }
 
 }  // namespace waywright

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "waywright/core/budget.hpp"
-#include "waywright/judge/search_picture.hpp"
 #include "waywright/planner/plane/plane_space.hpp"
 #include "waywright/planner/plane/plane_target.hpp"
 #include "waywright/planner/plane/point_bins.hpp"
+#include "waywright/planner/roadmap/lazy_search.hpp"
 
 namespace waywright {
 
@@ -22,16 +22,7 @@ struct RoadmapOptions {
   int neighbours = 0;     ///< so many nearest ones are instead; 0: those within the radius
 };
 
-enum class RoadmapEnd { found, unreachable, lines, crowded, stopped };
-
-struct RoadmapAnswer {
-  RoadmapEnd ended = RoadmapEnd::unreachable;
-  std::vector<Vec2> way;        ///< from the start to the goal; where nothing was found, to the place reached that is nearest to the goal
-  double length = 0.0;          ///< m
-  std::int64_t lines = 0;       ///< whose freedom was asked for
-  std::int64_t reached = 0;     ///< places, the start among them
-  std::vector<SearchPicture::Line> taken;  ///< lines by which places were reached first, each with how many were tested by then
-};
+using RoadmapAnswer = LazyAnswer<Vec2>;
 
 /// Immutable once grown; queries may run on many threads. The space outlives it.
 ///

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 
 #include "waywright/core/elementary.hpp"
 #include "waywright/curve/arc.hpp"
@@ -33,17 +34,14 @@ struct Target {
   Target reversed() const { return {x * cos + y * sin, x * sin - y * cos, heading, sin, cos}; }
 };
 
-struct Polar {
-  double r, angle;
-};
-Polar polar(double x, double y) { return {norm({x, y}), arc_tangent(y, x)}; }
 double arc_cosine(double c) { return arc_tangent(std::sqrt((1.0 - c) * (1.0 + c)), c); }
 double arc_sine(double s) { return arc_tangent(s, std::sqrt((1.0 - s) * (1.0 + s))); }
 
 /// Collects the shortest word over all families and symmetries.
 class Search {
  public:
-  explicit Search(const Target& goal) {
+  /// Words of `limit` radii and more are none.
+  explicit Search(const Target& goal, double limit = std::numeric_limits<double>::infinity()) : limit_{limit} {
     // Words with few parts first: later ones have to be shorter.
     for_each_symmetry(goal, [this](const Target& g) {
       if (!reverse_) turn_straight_turn(g);
@@ -73,11 +71,15 @@ class Search {
     }
   }
 
+  /// Is a word that has parts of this length together still of use? Asked before its angles are made.
+  bool is_worth(double parts) const { return parts < limit_; }
+
   void offer(std::initializer_list<ReedsSheppWord::Part> parts) {
     double length = 0.0;
     for (const auto& part : parts) length += std::abs(part.length);
-    if (best_.count > 0 && length >= best_.length - least_gain) return;
+    if (!is_worth(length)) return;
     best_.length = length;
+    limit_ = length - least_gain;
     best_.count = parts.size();
     std::size_t i = reverse_ ? parts.size() : 0;
     for (const auto& part : parts) {
@@ -87,57 +89,65 @@ class Search {
 
   void turn_straight_turn(const Target& g) {
     {  // 8.1: L+ S+ L+
-      const auto [u, t] = polar(g.x - g.sin, g.y - 1.0 + g.cos);
-      const double v = wrap(g.heading - t);
-      // The nearer the centres, the more rounding is in the angle: one turn is none and the other all of it, so that the heading stays exact.
-      const double slack = std::max(sign_slack, std::min(most_slack, rounding / u));
-      if (t >= -sign_slack && v >= -sign_slack) {
-        offer({{left, t}, {straight, u}, {left, v}});
-      } else if (std::abs(t) <= slack && g.heading >= -sign_slack) {
-        offer({{straight, u}, {left, g.heading}});
-      } else if (std::abs(v) <= slack && g.heading >= -sign_slack) {
-        offer({{left, g.heading}, {straight, u}});
+      const Vec2 between{g.x - g.sin, g.y - 1.0 + g.cos};
+      if (const double u = norm(between); is_worth(u)) {
+        const double t = angle_of(between);
+        const double v = wrap(g.heading - t);
+        // The nearer the centres, the more rounding is in the angle: one turn is none and the other all of it, so that the heading stays exact.
+        const double slack = std::max(sign_slack, std::min(most_slack, rounding / u));
+        if (t >= -sign_slack && v >= -sign_slack) {
+          offer({{left, t}, {straight, u}, {left, v}});
+        } else if (std::abs(t) <= slack && g.heading >= -sign_slack) {
+          offer({{straight, u}, {left, g.heading}});
+        } else if (std::abs(v) <= slack && g.heading >= -sign_slack) {
+          offer({{left, g.heading}, {straight, u}});
+        }
       }
     }
     {  // 8.2: L+ S+ R+
-      const auto [r, angle] = polar(g.x + g.sin, g.y - 1.0 - g.cos);
+      const Vec2 between{g.x + g.sin, g.y - 1.0 - g.cos};
+      const double r = norm(between);
       if (r < 2.0) return;
       const double u = std::sqrt((r - 2.0) * (r + 2.0));
-      const double t = wrap(angle + arc_tangent(2.0, u));
+      if (!is_worth(u)) return;
+      const double t = wrap(angle_of(between) + arc_tangent(2.0, u));
       const double v = wrap(t - g.heading);
       if (t >= -sign_slack && v >= -sign_slack) offer({{left, t}, {straight, u}, {right, v}});
     }
   }
 
   void three_turns(const Target& g) {  // 8.3, 8.4: L+ R− L±
-    const auto [r, angle] = polar(g.x - g.sin, g.y - 1.0 + g.cos);
+    const Vec2 between{g.x - g.sin, g.y - 1.0 + g.cos};
+    const double r = norm(between);
     if (r > 4.0) return;
     const double u = -2.0 * arc_sine(0.25 * r);
-    const double t = wrap(angle + 0.5 * u + pi);
+    if (!is_worth(-u)) return;
+    const double t = wrap(angle_of(between) + 0.5 * u + pi);
     const double v = wrap(g.heading - t + u);
     if (t >= -sign_slack) offer({{left, t}, {right, u}, {left, v}});
   }
 
   void two_turns_straight_turn(const Target& g) {
     {  // 8.9: L+ R−(π/2) S− L−
-      const auto [r, angle] = polar(g.x - g.sin, g.y - 1.0 + g.cos);
+      const Vec2 between{g.x - g.sin, g.y - 1.0 + g.cos};
+      const double r = norm(between);
       if (r >= 2.0) {
         const double chord = std::sqrt((r - 2.0) * (r + 2.0));
         const double u = 2.0 - chord;
-        const double t = wrap(angle + arc_tangent(chord, -2.0));
-        const double v = wrap(g.heading - 0.5 * pi - t);
-        if (t >= -sign_slack && u <= sign_slack && v <= sign_slack) {
-          offer({{left, t}, {right, -0.5 * pi}, {straight, u}, {left, v}});
+        if (u <= sign_slack && is_worth(0.5 * pi + std::abs(u))) {
+          const double t = wrap(angle_of(between) + arc_tangent(chord, -2.0));
+          const double v = wrap(g.heading - 0.5 * pi - t);
+          if (t >= -sign_slack && v <= sign_slack) offer({{left, t}, {right, -0.5 * pi}, {straight, u}, {left, v}});
         }
       }
     }
     {  // 8.10: L+ R−(π/2) S− R−
-      const auto [r, t] = polar(1.0 + g.cos - g.y, g.x + g.sin);
-      const double u = 2.0 - r;
+      const Vec2 between{1.0 + g.cos - g.y, g.x + g.sin};
+      const double u = 2.0 - norm(between);
+      if (u > sign_slack || !is_worth(0.5 * pi + std::abs(u))) return;
+      const double t = angle_of(between);
       const double v = wrap(t + 0.5 * pi - g.heading);
-      if (t >= -sign_slack && u <= sign_slack && v <= sign_slack) {
-        offer({{left, t}, {right, -0.5 * pi}, {straight, u}, {right, v}});
-      }
+      if (t >= -sign_slack && v <= sign_slack) offer({{left, t}, {right, -0.5 * pi}, {straight, u}, {right, v}});
     }
   }
 
@@ -159,11 +169,14 @@ class Search {
     const double squared = xi * xi + eta * eta;
     if (const double rho = 0.25 * (2.0 + std::sqrt(squared)); rho <= 1.0) {  // 8.7: L+ R+(u) L−(u) R−
       const double u = arc_cosine(rho);
-      const auto [t, v] = outer_turns(u, -u, xi, eta, g.heading);
-      if (t >= -sign_slack && v <= sign_slack) offer({{left, t}, {right, u}, {left, -u}, {right, v}});
+      if (is_worth(u + u)) {
+        const auto [t, v] = outer_turns(u, -u, xi, eta, g.heading);
+        if (t >= -sign_slack && v <= sign_slack) offer({{left, t}, {right, u}, {left, -u}, {right, v}});
+      }
     }
     if (const double rho = (20.0 - squared) / 16.0; rho >= 0.0 && rho <= 1.0) {  // 8.8: L+ R−(u) L−(u) R+
       const double u = -arc_cosine(rho);
+      if (!is_worth(-u - u)) return;
       const auto [t, v] = outer_turns(u, u, xi, eta, g.heading);
       if (t >= -sign_slack && v >= -sign_slack) offer({{left, t}, {right, u}, {left, u}, {right, v}});
     }
@@ -175,7 +188,7 @@ class Search {
     const double r = norm({xi, eta});
     if (r < 2.0) return;
     const double u = 4.0 - std::sqrt((r - 2.0) * (r + 2.0));
-    if (u > sign_slack) return;
+    if (u > sign_slack || !is_worth(pi + std::abs(u))) return;
     const double t = wrap(arc_tangent((4.0 - u) * xi - 2.0 * eta, -2.0 * xi + (u - 4.0) * eta));
     const double v = wrap(t - g.heading);
     if (t >= -sign_slack && v >= -sign_slack) {
@@ -186,6 +199,7 @@ class Search {
   int time_ = 1;
   int side_ = 1;
   bool reverse_ = false;
+  double limit_;  ///< radii
   ReedsSheppWord best_;
 };
 
@@ -214,11 +228,23 @@ bool goes_on(const Piece& a, const Piece& b) {
 
 }  // namespace
 
-ReedsSheppWord ReedsShepp::shortest(const Pose& from, const Pose& to) const {
-  const Vec2 there = (1.0 / radius_) * Frame{from}.unrotate(to.position() - from.position());
+namespace {
+
+Target target(const Pose& from, const Pose& to, double radius) {
+  const Vec2 there = (1.0 / radius) * Frame{from}.unrotate(to.position() - from.position());
   const double heading = shorter_turn(from.heading, to.heading);
   const SinCos of_heading = sin_cos(heading);
-  return Search{{there.x, there.y, heading, of_heading.sin, of_heading.cos}}.best();
+  return {there.x, there.y, heading, of_heading.sin, of_heading.cos};
+}
+
+}  // namespace
+
+ReedsSheppWord ReedsShepp::shortest(const Pose& from, const Pose& to) const { return Search{target(from, to, radius_)}.best(); }
+
+double ReedsShepp::distance_under(const Pose& from, const Pose& to, double limit) const {
+  // A little more than the limit: the same word as without one wherever it counts.
+  const ReedsSheppWord word = Search{target(from, to, radius_), limit / radius_ + 1e-9}.best();
+  return word.count > 0 ? radius_ * word.length : std::numeric_limits<double>::infinity();
 }
 
 Pieces ReedsShepp::between(const Pose& from, const Pose& to) const {

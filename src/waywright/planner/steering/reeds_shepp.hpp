@@ -47,6 +47,8 @@ class ReedsShepp {
   Pieces between(const Pose& from, const Pose& to) const;
   /// m
   double distance(const Pose& from, const Pose& to) const { return radius_ * shortest(from, to).length; }
+  /// The distance where it is no more than `limit`, m; else that or +∞. Sooner told.
+  double distance_under(const Pose& from, const Pose& to, double limit) const;
 
  private:
   double radius_;

@@ -51,6 +51,7 @@ class TurnSteering final : public Steering {
   double least(const Pose& from, const Pose& to) const override {
     return waywright::distance(from.position(), to.position()) + turn_cost_ * std::abs(shorter_turn(from.heading, to.heading));
   }
+  double bound(const Facing& from, const Facing& to) const override { return least(from.pose, to.pose); }
   Pieces between(const Pose& from, const Pose& to) const override {
     const Motion m = motion(from, to);
     Pieces pieces;
@@ -128,6 +129,22 @@ class CurveSteering final : public Steering {
 
   SteeringKind kind() const override { return is_reeds_shepp ? SteeringKind::reeds_shepp : SteeringKind::dubins; }
   double distance(const Pose& from, const Pose& to) const override { return curves_.distance(from, to); }
+  double distance_under(const Pose& from, const Pose& to, double limit) const override {
+    if constexpr (is_reeds_shepp) {
+      return curves_.distance_under(from, to, limit);
+    } else {
+      return curves_.distance(from, to);
+    }
+  }
+  /// The heading turns by no more than length/radius. So after the length L nothing is farther beside the line along an end's heading than radius (1 − cos(L/radius)),
+  /// which is under L²/(2 radius), and up to a quarter of a circle no more than that, whence on no more than what is driven.
+  double bound(const Facing& from, const Facing& to) const override {
+    const Vec2 way = to.pose.position() - from.pose.position();
+    const double radius = curves_.radius();
+    const double beside = std::max(std::abs(cross(from.along, way)), std::abs(cross(to.along, way)));
+    const double sideways = beside < radius ? std::sqrt(2.0 * radius * beside) : beside + radius * (0.5 * pi - 1.0);
+    return std::max({norm(way), sideways, radius * std::abs(shorter_turn(from.pose.heading, to.pose.heading))});
+  }
   Pieces between(const Pose& from, const Pose& to) const override { return curves_.between(from, to); }
   Pose at(const Pose& from, const Pose& to, double t) const override {
     const Pieces pieces = curves_.between(from, to);

@@ -23,6 +23,15 @@ inline constexpr SteeringKind steering_kinds[] = {SteeringKind::plane, SteeringK
 
 std::string_view to_string(SteeringKind kind);
 
+/// A state with the unit vector of its heading, for bounds that are asked for of many.
+struct Facing {
+  Pose pose{};
+  Vec2 along{1.0, 0.0};
+
+  Facing() = default;
+  explicit Facing(const Pose& p) : pose{p}, along{unit(p.heading)} {}
+};
+
 /// Immutable; safe to use from many threads.
 ///
 /// Laws: distance(a, b) is Σ cost of the pieces between(a, b), up to rounding, and no less than the straight distance of the positions;
@@ -36,6 +45,10 @@ class Steering {
   virtual double distance(const Pose& from, const Pose& to) const = 0;
   /// No chain of motions between them costs less: the distance itself, but where turns on the spot are cheaper in other ways.
   virtual double least(const Pose& from, const Pose& to) const { return distance(from, to); }
+  /// The distance where it is no more than `limit`; else that or +∞.
+  virtual double distance_under(const Pose& from, const Pose& to, double /*limit*/) const { return distance(from, to); }
+  /// No motion between them costs less, up to rounding: a bound told without making the motion.
+  virtual double bound(const Facing& from, const Facing& to) const { return waywright::distance(from.pose.position(), to.pose.position()); }
   /// In order; empty where the states are the same. Of the plane one line, whose corners are no turns.
   virtual Pieces between(const Pose& from, const Pose& to) const = 0;
   virtual double cost(const Piece& piece) const { return length(piece); }

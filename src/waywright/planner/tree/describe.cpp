@@ -13,6 +13,12 @@ std::vector<ParameterDescription> tree_parameters(TreeMethod method) {
       {.name = "goal_bias", .default_value = 0.0, .summary = "share of the samples that are the goal", .low = 0, .high = 0.9},
       {.name = "shorten", .default_value = true, .summary = "leave out corners past which their neighbours see each other"},
   };
+  if (method == TreeMethod::rrt || method == TreeMethod::rrt_star) {
+    all[2].summary = "straight distance from which on the goal is looked for";
+    all[4].summary = "leave out corners past which their neighbours see each other; with headings, try motions between places on the way";
+    for (ParameterDescription& p : space_parameters("reeds_shepp for a tricycle, plane where a disc serves, else turns")) all.push_back(std::move(p));
+    all.push_back(resolution_parameter());
+  }
   if (method == TreeMethod::rrt) return all;
   const std::vector<ParameterDescription> star{
       {.name = "radius", .default_value = 0.0, .summary = "within which better parents are looked for; 0: that of the proof of optimality, which shrinks as the tree grows", .unit = "m", .low = 0, .high = 1e4},
@@ -20,7 +26,10 @@ std::vector<ParameterDescription> tree_parameters(TreeMethod method) {
       {.name = "informed", .default_value = true, .summary = "once there is a way, draw only where a shorter one can lead past"},
   };
   all.insert(all.end(), star.begin(), star.end());
-  if (method == TreeMethod::rrt_star) return all;
+  if (method == TreeMethod::rrt_star) {
+    all[all.size() - star.size()].summary += "; with headings as many nearest states as it asks for";
+    return all;
+  }
   const bool is_local = method == TreeMethod::woa_local;
   const std::vector<ParameterDescription> whales{
       {.name = "population", .default_value = 10.0, .summary = "agents of the whale optimisation algorithm", .low = 2, .high = 1000, .whole = true},
@@ -56,6 +65,7 @@ PlannerDescription described(const char* name, const char* summary, TreeMethod m
                          options.tree.goal_threshold = number_of(p, "goal_threshold");
                          options.tree.goal_bias = number_of(p, "goal_bias");
                          options.shortens = flag_of(p, "shorten");
+                         if (method == TreeMethod::rrt || method == TreeMethod::rrt_star) options.space = space_options(p);
                          options.tree.rewires = method != TreeMethod::rrt;
                          options.tree.first_path = method == TreeMethod::rrt || flag_of(p, "first_path");
                          if (options.tree.rewires) {
@@ -83,7 +93,7 @@ PlannerDescription described(const char* name, const char* summary, TreeMethod m
                        }};
   d.counts_samples = [](const Parameters&) { return true; };
   d.takes_free_goals = true;
-  d.turns_on_the_spot = true;
+  d.turns_on_the_spot = method == TreeMethod::woa_local || method == TreeMethod::woa_global;
   return d;
 }
 
@@ -91,8 +101,8 @@ PlannerDescription described(const char* name, const char* summary, TreeMethod m
 
 std::vector<PlannerDescription> tree_planner_descriptions() {
   return {
-      described("rrt", "RRT in the plane, shortened; of a disc, or the disc around the footprint", TreeMethod::rrt),
-      described("rrt_star", "RRT* in the plane, with its gap to the shortest way", TreeMethod::rrt_star),
+      described("rrt", "RRT, shortened: in the plane of a disc, or the disc around the footprint; among headings of the footprint itself, with turns on the spot, Dubins or Reeds-Shepp curves", TreeMethod::rrt),
+      described("rrt_star", "RRT*, with its gap to the shortest way: in the plane as rrt, or among headings of the footprint itself", TreeMethod::rrt_star),
       described("rrt_star_woa_local", "RRT* whose every extension is aimed by the whale optimisation algorithm", TreeMethod::woa_local),
       described("rrt_star_woa_global", "RRT*, and the whale optimisation algorithm on the way that it found", TreeMethod::woa_global),
   };

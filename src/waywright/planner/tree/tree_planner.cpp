@@ -11,7 +11,9 @@
 #include "waywright/planner/grid/search_pool.hpp"
 #include "waywright/planner/plane/plane_ends.hpp"
 #include "waywright/planner/roadmap/least_length.hpp"
+#include "waywright/planner/roadmap/state_planning.hpp"
 #include "waywright/planner/tree/improved_way.hpp"
+#include "waywright/planner/tree/state_tree.hpp"
 
 namespace waywright {
 namespace {
@@ -52,11 +54,41 @@ void draw_swarm(SearchPicture& picture, const std::vector<std::vector<std::vecto
 
 const char* tree_name(TreeMethod method) { return method == TreeMethod::rrt ? "RRT" : "RRT*"; }
 
+StateAnswer answer_of(const StateTree& tree, const StateQuery& query, const PlaneTreeOptions& options, const char* label, const Budget& budget) {
+  const StateTreeStatistics& statistics = tree.statistics();
+  const std::string has = fmt::format("{} after {}", counted(static_cast<std::int64_t>(tree.size()), "node"), counted(statistics.samples, "sample"));
+  StateAnswer answer;
+  answer.picture = tree.picture();
+  if (tree.is_found()) {
+    answer.states = tree.way();
+    answer.is_least = statistics.is_least;
+    answer.found = fmt::format("Its tree has {}", has);
+    if (statistics.samples == 0) {
+      answer.found = "The motion from start to goal is free";
+    } else if (options.first_path) {
+      answer.found += fmt::format(" when the first way was there, of cost {:.3f} m", tree.cost());
+    } else {
+      answer.found += fmt::format("; the first way, of cost {:.3f} m, was there after {}, that of the best one is {:.3f} m", *statistics.first_cost, counted(statistics.first_path_after, "sample"), tree.cost());
+    }
+    return answer;
+  }
+  const std::string ended = budget.cut_short()                      ? fmt::format("the {:g} s of its budget were over", budget.limits().seconds.value_or(0.0))
+                            : statistics.samples >= options.samples ? fmt::format("all {} were drawn", counted(statistics.samples, "sample"))
+                            : statistics.is_stuck                   ? std::string{"no state was free that a sample could be"}
+                                                                    : fmt::format("all {} of its budget were tested", counted(query.test.motions(), "motion"));
+  answer.missed = fmt::format("{} found no way from start to goal before {}: its tree has {}, {} tested", label, ended, has, counted(query.test.motions(), "motion"));
+  answer.nearest = tree.way_to(tree.nearest_to_goal());
+  return answer;
+}
+
 }  // namespace
 
 class TreePlanner::Ready {
  public:
-  explicit Ready(const Problem& problem) : space_{problem} {}
+  Ready(const Problem& problem, const TreePlannerOptions& options) : space_{problem} {
+    const bool is_in_plane = options.method == TreeMethod::woa_local || options.method == TreeMethod::woa_global;
+    if (!is_in_plane) kind_ = chosen_space(problem, options.space, problem.free_goal() == nullptr && !problem.footprint().is_disc() && !options.space.space && disc_serves(space_));
+  }
   Ready(const Ready&) = delete;
   Ready& operator=(const Ready&) = delete;
 
@@ -65,6 +97,10 @@ class TreePlanner::Ready {
   PlanningResult plan(const TreePlannerOptions& options, std::string_view name, std::uint64_t seed, Budget& budget) const {
     using grid::failure;
     const Problem& problem = space_.problem();
+    if (kind_ != SteeringKind::plane) return among_states(options, name, seed, budget);
+    if (options.space.space) {  // it was asked for
+      if (std::string reason = space_refusal(problem, kind_, name, tree_name(options.method)); !reason.empty()) return tl::unexpected{failure(Status::no_path, std::move(reason))};
+    }
     if (auto reason = nothing_to_plan(problem, name)) return tl::unexpected{failure(Status::no_path, std::move(*reason))};
     if (budget.exhausted()) {
       return tl::unexpected{budget.canceled() ? failure(Status::canceled, "canceled before the search began")
@@ -98,6 +134,18 @@ class TreePlanner::Ready {
   }
 
  private:
+  PlanningResult among_states(const TreePlannerOptions& options, std::string_view name, std::uint64_t seed, Budget& budget) const {
+    PlaneTreeOptions tree_options = options.tree;
+    tree_options.samples = budget.limits().samples.value_or(tree_options.samples);
+    const char* label = tree_name(options.method);
+    auto lent = state_trees_.lend();
+    const auto search = [&](const StateQuery& query) {
+      (*lent).grow(query, tree_options, seed, budget);
+      return answer_of(*lent, query, tree_options, label, budget);
+    };
+    return StatePlanning{space_, kind_, options.space, name, label}.plan(search, options.shortens, seed, budget);
+  }
+
   PlanningFailure nothing_found(const TreePlannerOptions& options, const PlaneTree& tree, const PlaneTreeOptions& tree_options, const PlaneTarget& target, std::int64_t edges, Budget& budget) const {
     const PlaneTreeStatistics& statistics = tree.statistics();
     const bool is_late = budget.cut_short();
@@ -120,6 +168,9 @@ class TreePlanner::Ready {
                                      counted(static_cast<std::int64_t>(tree.size()), "node"), counted(statistics.edges, "line"), grid::place(reached), missing);
     if (!is_late) {
       if (const std::string more = unreachable_sentence(least_length(space_, budget), space_.problem()); !more.empty()) reason += "; " + more;
+    }
+    if (!space_.problem().footprint().is_disc() && space_.problem().free_goal() == nullptr && (options.method == TreeMethod::rrt || options.method == TreeMethod::rrt_star)) {
+      reason += "; the space \"turns\" plans for the footprint itself";
     }
     PlanningFailure failed = grid::failure(is_late ? Status::timed_out : Status::no_path, reason);
     Alternative tried;
@@ -205,18 +256,20 @@ class TreePlanner::Ready {
   }
 
   PlaneSpace space_;
+  SteeringKind kind_ = SteeringKind::plane;
   mutable SearchPool<PlaneTree> trees_;
+  mutable SearchPool<StateTree> state_trees_;
 };
 
 TreePlanner TreePlanner::prepared(const Problem& problem) const {
   TreePlanner planner = *this;
-  planner.ready_ = std::make_shared<const Ready>(problem);
+  planner.ready_ = std::make_shared<const Ready>(problem, options_);
   return planner;
 }
 
 PlanningResult TreePlanner::plan(const Problem& problem, Budget& budget) const {
   if (ready_ && ready_->is_for(problem)) return ready_->plan(options_, name_, seed_, budget);
-  return Ready{problem}.plan(options_, name_, seed_, budget);
+  return Ready{problem, options_}.plan(options_, name_, seed_, budget);
 }
 
 }  // namespace waywright
