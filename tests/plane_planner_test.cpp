@@ -119,6 +119,18 @@ TEST(PlanePlanners, TellHowTheSearchWent) {
   const Plan global = planned(s, "rrt_star_woa_global", {{"iterations", 500.0}, {"rounds", 0.0}});
   ASSERT_TRUE(global.search);
   EXPECT_EQ(global.search->swarms.size(), 11U);  // the first agents, and ten iterations
+  const Plan local = planned(s, "rrt_star_woa_local", {{"iterations", 1000.0}});
+  ASSERT_TRUE(local.search);
+  EXPECT_GT(local.search->swarms.size(), 40U);  // a share of the extensions
+  EXPECT_LE(local.search->swarms.size(), 100U);
+  std::uint32_t before = 0;
+  for (const SearchPicture::Swarm& swarm : local.search->swarms) {
+    EXPECT_GT(swarm.born, before);
+    before = swarm.born;
+    ASSERT_EQ(swarm.agents.size(), 10U);
+    for (const std::vector<Vec2>& agent : swarm.agents) EXPECT_EQ(agent.size(), 1U);
+  }
+  EXPECT_GT(before, 800U);  // spread over all of the search
 }
 
 TEST(PlanePlanners, LessWorkIsDoneWhereLessIsAllowed) {
