@@ -174,7 +174,7 @@ TEST(BadScenario, EveryFieldIsRefusedWithItsSentence) {
       {"/map", R"({"movingai":"a.map","cell":0})", R"(map.cell: 0 is out of range (allowed: above 0, at most 1000))"},
       {"/map", R"({"movingai":"a.map","cell":1,"origin":[0,0,0]})", R"(map.origin: it does not go with a map of kind movingai (allowed: no such field))"},
       {"/map", R"({"ros":"a.yaml","cell":1})", R"(map.cell: it does not go with a map of kind ros (allowed: no such field))"},
-      {"/map", R"({"generate":"maze"})", R"(map.generate: "maze" is not known (allowed: SA-CONVEX, SA-NARROW, SA-RAND1, SA-RAND2, SA-RAND3, SA-IRR, SA-IRR-REG, SA-WH, WOA-1, WOA-2, WOA-3, WOA-4, WOA-5))"},
+      {"/map", R"({"generate":"maze"})", R"(map.generate: "maze" is not known (allowed: SA-CONVEX, SA-NARROW, SA-RAND1, SA-RAND2, SA-RAND3, SA-IRR, SA-IRR-REG, SA-WH, WOA-1, WOA-2, WOA-3, WOA-4, WOA-5, APF-1, APF-2, NF-TWO, NF-S3, NF-ST))"},
       {"/map", R"({"generate":7})", R"(map.generate: it is a number (allowed: text))"},
       {"/map", R"({"generate":"SA-WH","cell":1})", R"(map.cell: it does not go with a map of kind generate (allowed: no such field))"},
       {"/map/polygons", R"([])", R"(map.polygons: it is an array (allowed: an object))"},

@@ -104,13 +104,13 @@ Path joined(Path first, const Path& then) {
   return first;
 }
 
-Parsed<Detour> detour(const Problem& problem, const Path& path, double s, const Mission& mission, const std::vector<Ring>& more, const std::atomic<bool>* cancel) {
+Parsed<WayOn> detour(const Problem& problem, const Path& path, double s, const Mission& mission, const std::vector<Ring>& more, const std::atomic<bool>* cancel) {
   Scenario scenario = problem.scenario();
   take_station_into_map(scenario, mission);
   scenario.mission = mission;
   scenario.moving.clear();
   scenario.map.obstacles.insert(scenario.map.obstacles.end(), more.begin(), more.end());
-  Detour found;
+  WayOn found;
   Path kept;
   if (s > least_kept) {
     kept = beginning(path, s);

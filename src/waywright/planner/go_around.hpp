@@ -14,13 +14,13 @@ Ring outline_that_holds(const Footprint& footprint, const Pose& pose, double roo
 Path joined(Path first, const Path& then);
 
 /// The path up to `s` m, then the way of another plan: what the scenario's planner finds from where that leaves it.
-struct Detour {
+struct WayOn {
   double s = 0.0;      ///< m of the path that is kept
   Plan plan;           ///< from there on, of a problem of its own in which nothing moves
   Path whole;
 };
 /// Plans on from a place of the path at which the vehicle stands. `mission`: where to; `more`: obstacles beside the problem's. Errors as of solve().
-Parsed<Detour> detour(const Problem& problem, const Path& path, double s, const Mission& mission, const std::vector<Ring>& more, const std::atomic<bool>* cancel);
+Parsed<WayOn> detour(const Problem& problem, const Path& path, double s, const Mission& mission, const std::vector<Ring>& more, const std::atomic<bool>* cancel);
 
 /// Of a plan that is hindered by what stands in its way: it waits there as long as the obstacle's patience says, then goes on by a way around it. By what comes to meet it: a way
 /// beside what it is predicted to sweep until then. Any other plan, and one that nothing is found for, is returned as it is. Errors as of solve().

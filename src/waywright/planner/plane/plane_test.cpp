@@ -95,7 +95,7 @@ TEST(PlaneSpace, TheFreeAreaIsNotUnderTheTruth) {
   EXPECT_LT(space.free_area(), 1.1 * area);
 }
 
-TEST(View, SeesWhatIsFreeAndIsMostlyToldByItsTable) {
+TEST(PlaneView, SeesWhatIsFreeAndIsMostlyToldByItsTable) {
   Random random{19};
   int asked = 0, told = 0, hidden = 0;
   for (int map = 0; map < 12; ++map) {
@@ -104,16 +104,16 @@ TEST(View, SeesWhatIsFreeAndIsMostlyToldByItsTable) {
     const PlaneSpace space{problem};
     const Vec2 from{random.uniform(0.5, 11.5), random.uniform(0.5, 8.5)};
     if (!space.is_free(from)) continue;
-    View view{space, from};
+    PlaneView view{space, from};
     for (int i = 0; i < 20'000; ++i) {
       const Vec2 at{random.uniform(-1, 13), random.uniform(-1, 10)};
       const std::vector<Vec2> ring{at, from};
       const bool is_free = problem.world().least_clearance(ring, 0.0, 2.0) > space.needed();  // the exact outlines, no table
       ASSERT_EQ(view.sees(at), is_free) << map << ": " << at.x << " " << at.y;
-      const View::Seen seen = view.seen(at);
-      told += seen == View::Seen::not_told ? 0 : 1;
-      if (seen != View::Seen::not_told) {
-        ASSERT_EQ(seen == View::Seen::yes, is_free) << map << ": " << at.x << " " << at.y;
+      const PlaneView::Seen seen = view.seen(at);
+      told += seen == PlaneView::Seen::not_told ? 0 : 1;
+      if (seen != PlaneView::Seen::not_told) {
+        ASSERT_EQ(seen == PlaneView::Seen::yes, is_free) << map << ": " << at.x << " " << at.y;
       }
       hidden += is_free ? 0 : 1;
       ++asked;

@@ -15,20 +15,20 @@ double distance_along(Vec2 ray, Vec2 a, Vec2 b) {
 
 }  // namespace
 
-Vec2 View::direction(double around) {
+Vec2 PlaneView::direction(double around) {
   const double a = around < 4.0 ? around : around - 4.0;
   const Vec2 v = a < 1.0 ? Vec2{1.0 - a, a} : a < 2.0 ? Vec2{1.0 - a, 2.0 - a} : a < 3.0 ? Vec2{a - 3.0, 2.0 - a} : Vec2{a - 3.0, a - 4.0};
   return (1.0 / norm(v)) * v;
 }
 
-View::View(const PlaneSpace& space, Vec2 from) : space_{&space}, from_{from}, bins_(count) {
+PlaneView::PlaneView(const PlaneSpace& space, Vec2 from) : space_{&space}, from_{from}, bins_(count) {
   const Box& region = space.region();
   farthest_ = norm(Vec2{std::max(region.high.x - from.x, from.x - region.low.x), std::max(region.high.y - from.y, from.y - region.low.y)});
   hide_behind_edges();
 }
 
 /// An edge that spans a whole bin hides everything in it that is farther than the edge. One pass over the map's edges.
-void View::hide_behind_edges() {
+void PlaneView::hide_behind_edges() {
   constexpr int bins = static_cast<int>(count);
   std::vector<Vec2> borders;
   for (int i = 0; i <= bins; ++i) borders.push_back(direction(4.0 * i / bins));
@@ -49,7 +49,7 @@ void View::hide_behind_edges() {
 }
 
 /// Rays of the bin are off its middle by no more than `spread` times their length.
-void View::fill(Bin& bin, std::size_t i) const {
+void PlaneView::fill(Bin& bin, std::size_t i) const {
   const double each = 4.0 / static_cast<double>(count), at = static_cast<double>(i) * each;
   const Vec2 middle = direction(at + 0.5 * each);
   const double spread = wider * std::max(distance(direction(at), middle), distance(direction(at + each), middle)) + 1e-12;

@@ -14,10 +14,10 @@ namespace waywright {
 /// where its middle comes too near to something whatever the ray. The space's table tells, once the bin is asked for. What lies between is asked of the space. One object, one thread; the space outlives it.
 ///
 /// Law: sees(point) is space.is_free(point, from()), up to rounding where the line just touches.
-class View {
+class PlaneView {
  public:
-  View() = default;
-  View(const PlaneSpace& space, Vec2 from);
+  PlaneView() = default;
+  PlaneView(const PlaneSpace& space, Vec2 from);
 
   bool is_ready() const { return space_ != nullptr; }
   Vec2 from() const { return from_; }

@@ -304,9 +304,7 @@ bool KeptTree::carry_over(const PlaneSpace& space, const World& appeared, Vec2 r
 void PlaneTree::take_over() {
   for (std::size_t i = 1; i < kept_->size(); ++i) {
     const KeptNode& kept = (*kept_)[i];
-    const std::uint32_t node = bins_.add(kept.at);
-    nodes_.emplace_back();
-    costs_.push_back(0.0);
+    const std::uint32_t node = add(kept.at, space_->room(kept.at));
     hang(node, kept.parent, distance(bins_[kept.parent], kept.at));
     look_for_goal(node);
   }

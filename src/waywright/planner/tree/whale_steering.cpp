@@ -33,7 +33,7 @@ double WhaleSteering::cost(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal) const {
 
 void WhaleSteering::prepare_view(Vec2 goal) {
   const bool is_same = has_goal_ && last_goal_ == goal;
-  if (is_same && !(view_.is_ready() && view_.from() == goal)) view_ = View{space_, goal};
+  if (is_same && !(view_.is_ready() && view_.from() == goal)) view_ = PlaneView{space_, goal};
   has_view_ = is_same;
   has_goal_ = true;
   last_goal_ = goal;
@@ -50,8 +50,8 @@ double WhaleSteering::whole_cost(const Aim& aim, const Candidate& candidate, dou
     if (!space_.is_free(x)) sum += blocked_weight;
     if (sum >= enough) return sum;
   }
-  if (candidate.goal == View::Seen::yes) return sum;
-  if (candidate.goal == View::Seen::not_told) {
+  if (candidate.goal == PlaneView::Seen::yes) return sum;
+  if (candidate.goal == PlaneView::Seen::not_told) {
     ++lines_;
     if (space_.is_free(x, aim.goal)) return sum;
   }
@@ -73,8 +73,8 @@ void WhaleSteering::look(const Aim& aim, Best& best) {
   for (std::size_t i = 0; i < population; ++i) {
     double least = bases_[i];
     if (!(least < best.cost)) continue;
-    const View::Seen goal = has_view_ ? view_.seen(agent(i)) : View::Seen::not_told;
-    if (goal == View::Seen::no) least += options_.view_weight;
+    const PlaneView::Seen goal = has_view_ ? view_.seen(agent(i)) : PlaneView::Seen::not_told;
+    if (goal == PlaneView::Seen::no) least += options_.view_weight;
     if (least < best.cost) candidates_.push_back({least, i, goal});
   }
   std::size_t best_agent = population;

@@ -45,7 +45,7 @@ class WhaleSteering final : public TreeSteering {
   struct Candidate {
     double least = 0.0;  // of its cost
     std::size_t agent = 0;
-    View::Seen goal = View::Seen::not_told;
+    PlaneView::Seen goal = PlaneView::Seen::not_told;
   };
   struct Aim {
     Vec2 near, sample, goal;
@@ -63,7 +63,7 @@ class WhaleSteering final : public TreeSteering {
   const PlaneSpace& space_;
   WhaleSteeringOptions options_;
   double per_radius_, per_diagonal_;
-  View view_;  // of the goal, where it stays the same from one extension to the next
+  PlaneView view_;  // of the goal, where it stays the same from one extension to the next
   Vec2 last_goal_{};
   bool has_goal_ = false, has_view_ = false;
   std::vector<double> x_, y_, bases_;  // of the agents: places, costs of distances
