@@ -88,6 +88,30 @@ TEST_F(CommandLine, EveryPlannerThatTurnsOnTheSpotPlansForAMecanumBase) {
   }
 }
 
+// Straight runs at the ends, on which the heading stays, and a way between on which it turns: where they meet the vehicle stands, and verify agrees.
+TEST_F(CommandLine, RunsIntoNarrowPlacesAreVerified) {
+  const json vehicle = read(std::string{WAYWRIGHT_SOURCE_DIR} + "/examples/vehicles/mecanum_base.json");
+  const json map = {{"polygons", {{"boundary", {{0, 0}, {10, 0}, {10, 6}, {0, 6}}}, {"obstacles", {{{7, 2}, {9, 2}, {9, 2.74}, {7, 2.74}}, {{7, 3.26}, {9, 3.26}, {9, 4}, {7, 4}}}}}}};
+  for (const char* planner : {"harmonic", "wavefront", "rrt_star"}) {
+    for (const double heading : {0.0, 3.141592653589793}) {
+      const json scenario = {{"format", "waywright-scenario/1"}, {"name", "slot"}, {"map", map}, {"vehicle", vehicle}, {"start", {1, 1, 2.5}}, {"goal", {7.6, 3, heading}}, {"planner", {{"name", planner}}}};
+      std::ofstream{folder_ / "s.json"} << scenario;
+      const auto planned = run("plan s.json -o s");
+      ASSERT_EQ(planned.status, 0) << planner << planned.out << planned.err;
+      const auto verified = run("verify s/plan.json");
+      EXPECT_EQ(verified.status, 0) << planner << verified.out;
+      std::filesystem::remove_all(folder_ / "s");
+    }
+  }
+}
+
+TEST_F(CommandLine, ASlidingBaseIsReplannedWhereItStandsAlone) {
+  ASSERT_EQ(run("plan " + examples + "mecanum_discs.json -o o").status, 0);
+  refused(run("replan o/plan.json --at 3 --goal 3,2.4,2.9 -o r"), {"--at", "does not face along", "stands"});
+  std::ofstream{folder_ / "box.json"} << R"({"format": "waywright-obstacles/1", "obstacles": [[[4, 4], [4.2, 4], [4.2, 4.2], [4, 4.2]]]})";
+  refused(run("replan o/plan.json --at 3 --obstacles box.json -o r"), {"--at", "does not face along", "stands"});
+}
+
 TEST_F(CommandLine, ControlsOfASlidingBaseEndAtTheGoal) {
   ASSERT_EQ(run("plan " + examples + "mecanum_discs.json -o o").status, 0);
   const auto told = run("controls o/plan.json -o c --json");

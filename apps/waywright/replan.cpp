@@ -111,6 +111,9 @@ int replan(const ReplanArguments& arguments) {
   if (!at) return complain(at.error());
   const Handover now = handover_at(old->path, old->samples, *at);
   if (now.is_turning) return complain({"", "--at", fmt::format("the vehicle turns on the spot {:g} s after the start", *at), "a time at which it drives or stands"});
+  if (now.is_sliding) {
+    return complain({"", "--at", fmt::format("{:g} s after the start the vehicle moves and does not face along its path, and nothing is planned from such a motion yet", *at), "a time at which it stands"});
+  }
   if (was->pocket() && now.driven > length(old->path) - length(was->pocket_stretch()) + 1e-6) {
     return complain({"", "--at", fmt::format("the forks are in the shelf {:g} s after the start, and nothing is planned anew there", *at), "an earlier time"});
   }

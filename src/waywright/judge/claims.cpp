@@ -36,6 +36,10 @@ Sample between(const Sample& a, const Sample& b, double t) {
   s.course += t * shorter_turn(a.course, b.course);
   s.curvature += t * (b.curvature - a.curvature);
   s.curvature_rate += t * (b.curvature_rate - a.curvature_rate);
+  if (t >= 1.0 || b.s - a.s <= same_place) {  // at b, or where two pieces meet
+    s.faces_along = b.faces_along;
+    s.heading_rate = b.heading_rate;
+  }
   s.speed = std::sqrt(std::max(0.0, square(a.speed) + t * (square(b.speed) - square(a.speed))));
   const double sum = a.speed + s.speed;
   s.t = t >= 1.0 ? b.t : a.t + (sum > 0.0 ? 2.0 * t * (b.s - a.s) / sum : t * (b.t - a.t));

@@ -11,6 +11,7 @@
 #include "waywright/judge/judge.hpp"
 #include "waywright/path/remainder.hpp"
 #include "waywright/planner/go_around.hpp"
+#include "waywright/planner/docking/continuation.hpp"
 #include "waywright/planner/rest_of_plan.hpp"
 #include "waywright/planner/solve_words.hpp"
 
@@ -366,6 +367,9 @@ Parsed<Plan> replan(const Plan& old, double t, const SeenObstacles& seen, const 
   const auto was = Problem::prepare(old.scenario);
   if (!was) return tl::unexpected{was.error()};
   const auto rest = rest_of(old, *was, t);
+  if (handover_at(old.path, old.samples, t).is_sliding) {
+    return tl::unexpected{InputError{"", "", fmt::format("{:g} s after the start the vehicle moves and does not face along its path, and nothing is planned from such a motion yet", t), "a time at which it stands"}};
+  }
   if (!rest) return tl::unexpected{InputError{"", "", fmt::format("the forks are in the shelf {:g} s after the start, and nothing is planned anew there", t), "a time at which they are out of it"}};
   const auto problem = Problem::prepare(scenario_now(old, *was, *rest, t, seen));
   if (!problem) return tl::unexpected{problem.error()};

@@ -131,6 +131,9 @@ std::optional<Violation> check_entry_motion(const Problem& problem, const Piece&
     return Violation{fmt::format("the vehicle moves {} when the plan begins, and the path begins {}", name(motion->direction), name(first.direction)),
                      problem.first_pose()};
   }
+  if (first.heading) {
+    return Violation{"the vehicle moves along its heading when the plan begins, and the path begins with a heading of its own", problem.first_pose()};
+  }
   if (std::holds_alternative<PoseSequence>(first.curve) || !problem.vehicle().stands_at_curvature_jumps()) return std::nullopt;  // of poses: judge/entry
   const double begins = start_curvature(first);
   if (std::abs(begins - motion->curvature) <= curvature_tolerance) return std::nullopt;

@@ -1,6 +1,7 @@
 // Speed of a vehicle that need not face along: corners, turning while driving.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "waywright/speed/speed.hpp"
@@ -59,6 +60,18 @@ TEST(SpeedOfSliding, TurningWhileDrivingKeepsTheAngularLimits) {
   EXPECT_NEAR(samples.back().t, 10.0 / 0.5 + 0.5 / 0.5, 1e-6);
   vehicle.limits.angular_acceleration = 0.1;  // 0.4·a ≤ 0.1: a ≤ 0.25 m/s²
   EXPECT_NEAR(profiled(path, vehicle).back().t, 10.0 / 0.5 + 0.5 / 0.25, 1e-6);
+}
+
+TEST(SpeedOfSliding, WhatLeadsBackwardsKeepsItsOwnLimit) {
+  Vehicle vehicle = base();
+  vehicle.limits.reverse_speed = 0.25;
+  for (const double off : {pi, pi - 1.0, 1.0}) {  // from the course to the heading
+    Path path;
+    path.pieces.push_back({Line{{0, 0}, {6, 0}}, 1, HeadingAlong{off, 0.0}});
+    double fastest = 0.0;
+    for (const Sample& s : profiled(path, vehicle)) fastest = std::max(fastest, s.speed);
+    EXPECT_NEAR(fastest, off > 0.5 * pi ? std::min(1.0, 0.25 / -std::cos(off)) : 1.0, 1e-9) << off;
+  }
 }
 
 TEST(SpeedOfSliding, StandsWhereTheTurningJumpsOnlyIfThatTakesTime) {

@@ -54,6 +54,9 @@ double turn_on_the_spot(const Sample& from, const Sample& to) {
 double cap_at(const Sample& at, int direction, const Vehicle& vehicle) {
   const Limits& limits = vehicle.limits;
   double cap = square(direction < 0 ? limits.reverse_speed : limits.speed);
+  if (!at.faces_along && limits.reverse_speed < limits.speed) {  // what of it leads backwards keeps that limit
+    if (const double ahead = sin_cos(at.course - at.heading).cos; ahead < 0.0) cap = std::min(cap, square(limits.reverse_speed / -ahead));
+  }
   if (limits.lateral_acceleration) cap = std::min(cap, *limits.lateral_acceleration / std::abs(at.curvature));
   if (limits.angular_speed) cap = std::min(cap, square(*limits.angular_speed / std::abs(at.turning())));
   if (const auto* tricycle = std::get_if<Tricycle>(&vehicle.drive); tricycle != nullptr && tricycle->max_steering_rate) {

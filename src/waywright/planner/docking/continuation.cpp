@@ -49,6 +49,7 @@ Handover handover_at(const Path& path, const std::vector<Sample>& samples, doubl
   const Path rest = remainder(path, handover.driven);
   const Piece& first = rest.pieces.front();
   handover.pose = start_pose(first);
+  handover.is_sliding = speed > 0.0 && first.heading.has_value();
   if (speed > 0.0) handover.motion = {first.direction < 0 ? -speed : speed, start_curvature(first)};
   return handover;
 }

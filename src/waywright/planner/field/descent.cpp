@@ -1,6 +1,7 @@
 #include "waywright/planner/field/descent.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace waywright {
@@ -46,7 +47,7 @@ Descent descend(const std::function<std::optional<FieldStep>(Vec2)>& field, Vec2
     ++descent.steps;
     budget.count_evaluations();
     if (!step) return ends(DescentEnd::blocked);
-    if (step->potential < lowest - 1e-9 * std::max(1.0, lowest)) {
+    if (step->potential < lowest - 1e-9 * std::max(1.0, std::abs(step->potential))) {
       lowest = step->potential;
       since = 0;
     } else if (++since > options.patience) {
@@ -58,7 +59,7 @@ Descent descend(const std::function<std::optional<FieldStep>(Vec2)>& field, Vec2
     descent.points.push_back(descent.last);
     if (descent.points.size() <= window || descent.points.size() % 16 != 0) continue;
     const double reach = extent(descent.points, window);
-    if (reach >= options.trapped_within) continue;
+    if (reach >= options.trapped_within * options.speed * options.period * options.window) continue;
     const double way = travelled(descent.points, window);
     if (options.may_creep && reach > straight_over * way) continue;
     // What rests hardly moves; what is thrown to and fro is fast.

@@ -21,7 +21,7 @@ struct DescentOptions {
   double period = 0.02;          ///< s between looks at the field
   double goal_tolerance = 0.05;  ///< m
   int window = 250;              ///< looks: who stays within `trapped_within` for so long is trapped
-  double trapped_within = 0.05;  ///< m
+  double trapped_within = 0.02;  ///< of how far it would come in that time at full speed
   int patience = 5000;           ///< looks without a lower potential than ever before: it goes to and fro
   bool may_creep = false;        ///< who stays within `trapped_within`, but on a straight way, is not trapped: steps are short by intent
 };

@@ -121,7 +121,7 @@ class FieldPlanner::Ready {
   static Descent down_navigation_function(const FieldPlannerOptions& options, const SphereWorld& world, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, Budget& budget) {
     std::vector<double> kappas{options.kappa};
     if (options.kappa == 0.0) {
-      kappas = kappas_that_lead_to_goal(world, goal);
+      kappas = kappas_that_lead_to_goal(world, goal, [&] { return budget.exhausted(); });
       if (kappas.empty()) {
         kappas = {usual_kappa};
         text.push_back(fmt::format("No whole κ from 2 to 20 was shown to leave no minimum but the goal; {:g} is tried.", usual_kappa));
@@ -133,9 +133,9 @@ class FieldPlanner::Ready {
     const auto discs = static_cast<std::int64_t>(world.obstacles.size());
     text.push_back(fmt::format("Down the navigation function of κ = {:g} on the disc of {:.3f} m around ({:.3f}, {:.3f}) with {} in it: {}.", best_kappa, world.outside.radius,
                                world.outside.centre.x, world.outside.centre.y, counted(discs, "disc"), counted(best.steps, "step")));
-    const std::vector<CriticalPoint> points = critical_points({world, goal, best_kappa});
+    const std::vector<CriticalPoint> points = critical_points({world, goal, best_kappa}, 48, [&] { return budget.exhausted(); });
     if (leads_to_goal(points, world)) {
-      text.push_back(fmt::format("It has no minimum but the goal: Newton's method finds {}, one for each disc, and nothing else.{}", counted(static_cast<std::int64_t>(points.size()), "saddle"),
+      text.push_back(fmt::format("Newton's method finds {}, one for each disc, and no minimum but the goal.{}", counted(static_cast<std::int64_t>(points.size()), "saddle"),
                                  kappas.size() > 1 ? fmt::format(" So have {} others of the whole κ up to 20; of the ways at most a tenth longer than the shortest of theirs this one's keeps farthest away.", kappas.size() - 1) : std::string{}));
     } else {
       for (const CriticalPoint& c : points) {
@@ -191,7 +191,8 @@ class FieldPlanner::Ready {
     steps.period = 1.0;
     steps.speed = options.step * field.radius;
     steps.goal_tolerance = 2.0 * steps.speed;
-    steps.trapped_within = 10.0 * steps.speed;
+    const double about = 10.0 * steps.speed;  // m, of a saddle: what the steps are in which it is stuck
+    steps.trapped_within = about / (steps.speed * steps.period * steps.window);
     steps.patience = std::numeric_limits<int>::max();
     steps.may_creep = true;
     const auto down = [&](Vec2 q) -> std::optional<FieldStep> {
@@ -217,8 +218,8 @@ class FieldPlanner::Ready {
       const auto aside = field.off(all.last);
       if (!aside || saddles > field.saddles) return all;
       // The steps about the saddle are left out, with the way to it alone.
-      while (all.points.size() > 1 && distance(all.points.back(), all.last) < steps.trapped_within) all.points.pop_back();
-      const Vec2 off = std::min(2.0 * steps.trapped_within, 0.5 * field.rim(all.last)) * *aside;
+      while (all.points.size() > 1 && distance(all.points.back(), all.last) < about) all.points.pop_back();
+      const Vec2 off = std::min(2.0 * about, 0.5 * field.rim(all.last)) * *aside;
       all.last = all.last + off;
       all.points.push_back(all.last);
     }
@@ -234,7 +235,7 @@ class FieldPlanner::Ready {
   Descent down_star_navigation(const FieldPlannerOptions& options, const StarWorld& world, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, Budget& budget) const {
     double lambda = options.lambda;
     if (lambda == 0.0) {
-      const ChosenLambda chosen = choose_lambda(world, goal);
+      const ChosenLambda chosen = choose_lambda(world, goal, 140, [&] { return budget.exhausted(); });
       lambda = chosen.lambda;
       text.push_back(chosen.is_shown ? fmt::format("λ = {:g} is the least power of ten with which the map to a world of discs folds at none of 140 × 140 places.", lambda)
                                      : fmt::format("With no λ up to {:g} the map to a world of discs was free of folds.", lambda));
@@ -242,7 +243,7 @@ class FieldPlanner::Ready {
     const StarMap map{world, goal, lambda};
     std::vector<double> kappas{options.kappa};
     if (options.kappa == 0.0) {
-      kappas = kappas_that_lead_to_goal(map.model(), goal);
+      kappas = kappas_that_lead_to_goal(map.model(), goal, [&] { return budget.exhausted(); });
       if (kappas.empty()) {
         kappas = {usual_kappa};
         text.push_back(fmt::format("No whole κ from 2 to 20 was shown to leave no minimum but the goal in the model; {:g} is tried.", usual_kappa));
@@ -280,7 +281,7 @@ class FieldPlanner::Ready {
     const std::string where = fmt::format("{}, {:.3f} m from the goal", place(descent.last), distance(descent.last, goal));
     std::string reason;
     switch (descent.ended) {
-      case DescentEnd::local_minimum: reason = fmt::format("{} is trapped in a local minimum at {}: attraction and repulsion cancel there", name, where); break;
+      case DescentEnd::local_minimum: reason = fmt::format("{} is trapped in a local minimum at {}{}", name, where, name == "potential_field" ? ": attraction and repulsion cancel there" : ""); break;
       case DescentEnd::oscillation: reason = fmt::format("{} goes to and fro about {}, and gets no nearer", name, where); break;
       case DescentEnd::blocked: reason = fmt::format("a step of {} leads to {}, where the disc cannot stand", name, where); break;
       default: reason = fmt::format("{} did not reach the goal in {}: it came to {}", name, counted(descent.steps, "step"), where); break;

@@ -159,6 +159,24 @@ TEST(StarNavigationPlanner, SaysWhatIsNoStar) {
   EXPECT_NE(why.find("no separate stars"), std::string::npos) << why;
 }
 
+// Arcs are as wide as the vehicle can drive; where there is no room for such a one it stands at the corner.
+TEST(FieldPlanners, KeepALimitOfCurvature) {
+  Scenario s = scenario("NF-S3", 0);
+  s.vehicle.drive = Differential{0.4};
+  s.vehicle.limits.curvature = 1.6;
+  EXPECT_TRUE(driven(s, navigation(8.0)));
+  EXPECT_TRUE(driven(s, potential(0.1)));
+}
+
+// Steps of any size: who gets on steadily is not trapped.
+TEST(PotentialFieldPlanner, ShortStepsAreNoTrap) {
+  FieldPlannerOptions slow = potential(0.1);
+  slow.descent.speed = 0.02;
+  slow.descent.period = 0.05;
+  Scenario s = scenario("APF-2", 1);
+  EXPECT_TRUE(driven(s, slow));
+}
+
 // Worlds ten times as large, with a base of 0.58 × 0.38 m that keeps its heading or turns while it drives.
 TEST(FieldPlanners, DriveAMecanumBaseThroughScaledWorlds) {
   for (const double end : {0.0, 2.0}) {

@@ -30,8 +30,9 @@ class HarmonicField {
   HarmonicField(const GridFrame& frame, const std::vector<Cell>& goals, const std::function<bool(Cell)>& is_free, const std::function<bool(Cell, Cell)>& may_drive, const Options& options);
 
   const GridFrame& frame() const { return frame_; }
-  /// w of a node; 0 where it is blocked or not connected to the goal.
+  /// w of a node; 0 where it is blocked or not connected to the goal, or so far off that numbers do not reach (reaches() says which).
   double at(Cell c) const { return frame_.contains(c) ? values_[index(c)] : 0.0; }
+  bool reaches(Cell c) const { return frame_.contains(c) && (links_[index(c)] != 0 || values_[index(c)] > 0.0); }  ///< connected to the goal
   bool may_drive(Cell from, Cell to) const;  ///< between neighbours
   std::int64_t unknowns() const { return unknowns_; }
   bool is_over() const { return is_over_; }  ///< there were more than allowed

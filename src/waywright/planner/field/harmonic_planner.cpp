@@ -79,6 +79,10 @@ class HarmonicPlanner::Ready {
     for (const DiscConnection& c : from) {
       if (field.at(c.cell) > 0.0 && (!first || field.at(c.cell) > field.at(*first))) first = c.cell;
     }
+    if (!first && std::any_of(from.begin(), from.end(), [&](const DiscConnection& c) { return field.reaches(c.cell); })) {
+      return tl::unexpected{failure(Status::no_path, fmt::format("at the start the potential is under what numbers can tell, so far is it from the goal between walls that draw off {:g}; less absorption, or coarser cells, reach farther",
+                                                                 options.field.absorption))};
+    }
     if (!first) {
       std::string reason = fmt::format("the start is not connected to the goal between {} of {:g} m, for {} of {:.3f} m that keeps {:.3f} m", counted(field.unknowns(), "free cell"), frame_.cell,
                                        problem.footprint().is_disc() ? "a disc" : "the disc around the footprint,", space_.disc(), problem.required_clearance());
@@ -169,7 +173,7 @@ class HarmonicPlanner::Ready {
     planned.path = rounded_path(space_, start, points, goal);
     if (planned.path.pieces.empty()) return tl::unexpected{failure(Status::no_path, "start and goal are the same place, there is nothing to drive")};
     std::vector<std::string>& text = planned.explanation;
-    text.push_back(fmt::format("Along a streamline of the harmonic potential on {} of {:g} m, which walls draw off at {:g} of what a free neighbour does: it has no local minimum but the goal, on any map.",
+    text.push_back(fmt::format("Along a streamline of the harmonic potential on {} of {:g} m, which walls draw off at {:g} of what a free neighbour does: it has no local minimum but the goal.",
                                counted(field.unknowns(), "free cell"), frame_.cell, options.field.absorption));
     if (start.run != 0 || goal.run != 0) text.push_back(run_sentence(space_, start, goal));
     text.push_back(driving_sentence(space_.problem(), planned.path));

@@ -9,7 +9,7 @@ namespace waywright {
 namespace {
 
 constexpr int least_kappa = 2, most_kappa = 20;
-constexpr int newton_steps = 60;
+constexpr int newton_steps = 60, usual_side = 48;
 
 }  // namespace
 
@@ -77,7 +77,7 @@ Vec2 NavigationFunction::gradient(Vec2 q) const {
   return (value(q) * rest / kappa_) * slope(q);
 }
 
-std::vector<CriticalPoint> critical_points(const NavigationFunction& function, int side) {
+std::vector<CriticalPoint> critical_points(const NavigationFunction& function, int side, const std::function<bool()>& stops) {
   const Disc& outside = function.world().outside;
   const double same = 1e-6 * outside.radius, longest = 0.05 * outside.radius;
   std::vector<CriticalPoint> found;
@@ -102,6 +102,7 @@ std::vector<CriticalPoint> critical_points(const NavigationFunction& function, i
     for (int i = 0; i < side; ++i) {
       const Vec2 q = outside.centre + outside.radius * Vec2{2.0 * (i + 0.5) / side - 1.0, 2.0 * (j + 0.5) / side - 1.0};
       if (!function.is_free(q)) continue;
+      if (stops && stops()) return found;
       const auto at = from(q);
       if (!at || std::any_of(found.begin(), found.end(), [&](const CriticalPoint& c) { return distance(c.at, *at) < same; })) continue;
       const SymmetricMatrix h = function.curvature(*at);
@@ -116,10 +117,12 @@ bool leads_to_goal(const std::vector<CriticalPoint>& points, const SphereWorld& 
   return points.size() == world.obstacles.size() && std::none_of(points.begin(), points.end(), [](const CriticalPoint& c) { return c.is_minimum; });
 }
 
-std::vector<double> kappas_that_lead_to_goal(const SphereWorld& world, Vec2 goal) {
+std::vector<double> kappas_that_lead_to_goal(const SphereWorld& world, Vec2 goal, const std::function<bool()>& stops) {
   std::vector<double> all;
   for (int kappa = least_kappa; kappa <= most_kappa; ++kappa) {
-    if (leads_to_goal(critical_points({world, goal, static_cast<double>(kappa)}), world)) all.push_back(kappa);
+    const bool leads = leads_to_goal(critical_points({world, goal, static_cast<double>(kappa)}, usual_side, stops), world);
+    if (stops && stops()) break;
+    if (leads) all.push_back(kappa);
   }
   return all;
 }

@@ -4,6 +4,7 @@
 // functions, IEEE T-RA 8 (1992).
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -66,13 +67,14 @@ struct CriticalPoint {
 };
 
 /// All critical points of a navigation function but the goal that Newton's method finds from `side` × `side` starts, in the order of x.
-std::vector<CriticalPoint> critical_points(const NavigationFunction& function, int side = 48);
+/// `stops`, asked for each start, ends it early.
+std::vector<CriticalPoint> critical_points(const NavigationFunction& function, int side = 48, const std::function<bool()>& stops = {});
 
 /// Are there as many saddles as obstacles, and no minimum but the goal? (A disc with n holes has n more saddles than spurious minima.)
 bool leads_to_goal(const std::vector<CriticalPoint>& points, const SphereWorld& world);
 
 /// Those of 2, 3 … 20 for which that is shown. (They are no range: 4 may do and 5 not.)
-std::vector<double> kappas_that_lead_to_goal(const SphereWorld& world, Vec2 goal);
+std::vector<double> kappas_that_lead_to_goal(const SphereWorld& world, Vec2 goal, const std::function<bool()>& stops = {});
 
 /// The direction in which the field leaves a saddle: that of least curvature, a unit vector, one of the two. Empty where the place is no saddle: no direction leads down.
 std::optional<Vec2> way_off(const SymmetricMatrix& curvature);

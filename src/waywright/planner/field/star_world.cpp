@@ -64,7 +64,7 @@ StarMap::Image StarMap::at(Vec2 q) const {
   return {{hx.value, hy.value}, hx.dx, hx.dy, hy.dx, hy.dy};
 }
 
-ChosenLambda choose_lambda(const StarWorld& world, Vec2 goal, int side) {
+ChosenLambda choose_lambda(const StarWorld& world, Vec2 goal, int side, const std::function<bool()>& stops) {
   const Vec2 middle = world.outside.centre();
   const double reach = world.outside.greatest_rim();
   ChosenLambda chosen;
@@ -72,6 +72,7 @@ ChosenLambda choose_lambda(const StarWorld& world, Vec2 goal, int side) {
     chosen = {lambda, true};
     const StarMap map{world, goal, lambda};
     for (int j = 0; j < side && chosen.is_shown; ++j) {
+      if (stops && stops()) return {lambda, false};
       for (int i = 0; i < side && chosen.is_shown; ++i) {
         const Vec2 q = middle + reach * Vec2{2.0 * (i + 0.5) / side - 1.0, 2.0 * (j + 0.5) / side - 1.0};
         if (map.is_free(q)) chosen.is_shown = map.at(q).determinant() > 0.0;

@@ -4,6 +4,7 @@
 // worlds, Trans. AMS 327 (1991).
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "waywright/planner/field/sphere_world.hpp"
@@ -47,7 +48,7 @@ struct ChosenLambda {
   double lambda = 0.0;
   bool is_shown = false;
 };
-ChosenLambda choose_lambda(const StarWorld& world, Vec2 goal, int side = 140);
+ChosenLambda choose_lambda(const StarWorld& world, Vec2 goal, int side = 140, const std::function<bool()>& stops = {});
 
 /// The navigation function of the model, seen through the map.
 class StarNavigation {

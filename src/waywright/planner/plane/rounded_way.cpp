@@ -46,10 +46,11 @@ Cut cut_at(const PlaneSpace& space, Vec2 before, Vec2 corner, Vec2 after) {
   const double angle = arc_tangent(cross(in, out), dot(in, out));
   if (std::abs(angle) < no_turn) return {};
   const SinCos half = sin_cos(0.5 * std::abs(angle));
+  const double least = std::max(least_radius, 1.0 / space.problem().vehicle().max_curvature());
   double taken = 0.5 * std::min(distance(before, corner), distance(corner, after));
   for (int k = 0; k < halvings; ++k, taken *= 0.5) {
     const double radius = taken * half.cos / half.sin;
-    if (radius < least_radius) break;
+    if (radius < least) break;
     if (is_arc_free(space, corner - taken * in, in, radius, angle)) return {taken, radius, angle};
   }
   return {};

@@ -9,7 +9,8 @@
 namespace waywright {
 
 /// Lines and arcs that touch, along `points`. Each corner is cut by as wide an arc as takes half of the shorter line beside it, or a half, a quarter… of that where only
-/// so much is free; where none of at least a centimetre is, it stays a corner. Points nearer than a nanometre are one.
+/// so much is free; where none of at least a centimetre is, or the
+/// vehicle cannot drive it, it stays a corner. Points nearer than a nanometre are one.
 ///
 /// Law: every place of the disc on it is free where the lines along `points` are.
 std::vector<Curve> rounded_way(const PlaneSpace& space, const std::vector<Vec2>& points);

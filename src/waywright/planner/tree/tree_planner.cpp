@@ -248,9 +248,7 @@ class TreePlanner::Ready {
     planned.path = plane_path(space_, start, points, goal);
     if (planned.path.pieces.empty()) return tl::unexpected{grid::failure(Status::no_path, "start and goal are the same place, there is nothing to drive")};
     if (start.run != 0 || goal.run != 0) text.push_back(run_sentence(space_, start, goal));
-    const Turning turning = turning_of(planned.path);
-    text.push_back(fmt::format("It is {:.3f} m long and turns on the spot {}, {:.1f}° in all.", length(planned.path), turning.turns == 1 ? std::string{"once"} : fmt::format("{} times", turning.turns),
-                               turning.angle * 180.0 / pi));
+    text.push_back(driving_sentence(space_.problem(), planned.path));
     if (std::string bound = bound_sentence(least_length(space_, budget), length(planned.path)); !bound.empty()) text.push_back(std::move(bound));
     return planned;
   }
