@@ -214,6 +214,23 @@ TEST(Moving, NoPlanMeetsWhatMovesInRandomHalls) {
   EXPECT_GT(hindered, 0);
 }
 
+// A spread that grows faster than what moves goes away, as fast, or about what stands: the times are settled at once, and what is solved is sound.
+TEST(Moving, AnySpreadIsSettled) {
+  int solved = 0;
+  for (const double spread : {0.01, 0.05, 0.7, 1.5}) {
+    for (const Vec2 velocity : {Vec2{0.0, 0.7}, Vec2{0.0, 0.0}, Vec2{0.05, 0.0}}) {
+      MovingObstacle obstacle = walker({{0.0, {6.0, -4.0, 0.0}}}, velocity);
+      obstacle.spread = spread;
+      const Plan plan = planned(straight(6.0, {obstacle}));
+      EXPECT_TRUE(plan.status == Status::solved || plan.status == Status::unproven) << plan.reason;
+      if (plan.status != Status::solved) continue;
+      ++solved;
+      expect_sound(plan);
+    }
+  }
+  EXPECT_GT(solved, 2);
+}
+
 TEST(Moving, TimesGoOnWhereAPlanIsReplanned) {
   // What was known to move is where it is by then: the same plan, from a later moment.
   const Plan old = planned(straight(6.0, {walker({{0.0, {6.0, -4.0, 0.0}}}, {0.0, 0.7})}));

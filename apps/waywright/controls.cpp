@@ -171,6 +171,7 @@ int controls(const ControlsArguments& arguments) {
     if (auto one = refuse_legs(plan->scenario, arguments.plan, "woa makes no controls for a mission in legs", "--method exact"); !one) return complain(one.error());
     auto prepared = Problem::prepare(plan->scenario);
     if (!prepared) return complain(of_plan(prepared.error(), arguments.plan));
+    if (!plan->scenario.moving.empty()) return complain({arguments.plan.string(), "scenario.moving", "woa makes controls that know nothing of what moves", "--method exact"});
     if (prepared->pocket()) return complain({arguments.plan.string(), "station.insertion", "woa makes no controls for the way into a pocket", "--method exact"});
     problem = std::move(*prepared);
   }

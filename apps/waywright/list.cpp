@@ -81,6 +81,7 @@ int list(const std::string& what) {
     text += line("dxf", "floor plan from CAD");
     text += line("svg", "drawing of straight lines");
     text += line("rmf", "walls of an Open-RMF building");
+    text += line("opentcs", "lanes of an openTCS plant model");
     text += line("cells", "occupancy cells inlined by run lengths");
     text += line("movingai", "a map of MovingAI's benchmarks");
     text += line("generate", fmt::format("a map of a publication, as reconstructed: {}; {}; {}", fmt::join(published_map_names(), ", "), fmt::join(whale_map_names(), ", "), fmt::join(field_world_names(), ", ")));

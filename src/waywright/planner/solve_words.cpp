@@ -7,7 +7,7 @@ namespace waywright {
 std::string proof_sentence(const Problem& problem, const Plan& plan) {
   const Certificate& c = plan.certificate;
   const bool is_measured = c.tightest.has_value();
-  std::string text = is_measured ? fmt::format("Proven along the whole motion: the footprint keeps at least {:.4f} m from everything", c.clearance)
+  std::string text = is_measured ? fmt::format("Proven along the whole motion: the footprint keeps at least {:.4f} m from everything{}", c.clearance, problem.scenario().moving.empty() ? "" : " that stands")
                                  : fmt::format("Proven along the whole motion: nothing is nearer to the footprint than {:.4f} m", c.clearance);
   if (problem.pose_error_margin() > 0.0) {
     text += fmt::format(" at every pose within the pose error (which takes {:.4f} m)", problem.pose_error_margin());

@@ -12,6 +12,7 @@ constexpr double rounding = 1e-8;          // m, of poses and distances
 constexpr std::size_t most_pairs = 40'000'000;  // samples times points of tracks
 constexpr double beyond = 1e-3;            // m, that distances are asked for over what is compared
 constexpr double shortest_time = 0.01;     // s, of a span that is looked at
+constexpr double shortest_share = 1e-3;    // of the time since the start, that is one moment: so a spread that follows a track at its own speed is settled, too
 constexpr double shortest_way = 1e-3;      // m, of a step that is looked at
 
 Map in_own_frame(const Footprint& footprint) {
@@ -72,8 +73,10 @@ bool MovingClearance::look(const Body& body, const Step& step, double low, doubl
   const double moved = 0.5 * (high - low) * step.way, slack = step.slack + moved + there.reach + rounding;
   const double least = distance(body, blend(step.a, step.b, 0.5 * (low + high)), there.pose, needed_ + slack + beyond);
   if (least - slack > needed_) return false;
-  const bool is_short = !(to - from > shortest_time);
-  if (least + there.reach <= needed_ || (is_short && !(2.0 * moved > shortest_way))) {
+  const bool is_short = !(to - from > std::max(shortest_time, shortest_share * from));
+  // Wherever within its spread it may be, it may also be as near as that lets it: the spread at the beginning is there all the time.
+  const double spread = problem_.scenario().moving[static_cast<std::size_t>(&body - bodies_.data())].spread;
+  if (least + (there.reach - spread * to) - spread * from <= needed_ || (is_short && !(2.0 * moved > shortest_way))) {
     add(spans, from, to);
     return true;
   }

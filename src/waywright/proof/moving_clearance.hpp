@@ -18,7 +18,8 @@ struct TimeSpan {
 /// For each of a problem's moving obstacles: when may a piece of the way be nearer to it than is allowed?
 ///
 /// Law: at a time in none of the spans, whatever pose between the two samples the vehicle has (straight interpolation, and `tolerance` about it) and wherever within its
-/// spread the obstacle is, more than `needed` lies between the two. The converse holds up to a centimetre or two and a hundredth of a second.
+/// spread the obstacle is, more than `needed` lies between the two. The converse holds up to a centimetre or two and a hundredth of a second (a thousandth of the time since the start, where that
+/// is more).
 class MovingClearance {
  public:
   /// The problem outlives it. `needed`: m; `tolerance`: m, by which the true motion may leave the interpolated one.
