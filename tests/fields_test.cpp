@@ -105,6 +105,21 @@ TEST_F(CommandLine, RunsIntoNarrowPlacesAreVerified) {
   }
 }
 
+// Start and goal at one place: nothing is driven out and back for a turn.
+TEST_F(CommandLine, APureTurnIsOne) {
+  for (const char* planner : {"harmonic", "wavefront", "potential_field", "navigation_function", "rrt_star"}) {
+    for (const char* vehicle : {"mecanum_base", "tugger_differential"}) {
+      const json scenario = {{"format", "waywright-scenario/1"}, {"map", {{"polygons", {{"boundary", {{0, 0}, {10, 0}, {10, 10}, {0, 10}}}}}}}, {"vehicle", read(std::string{WAYWRIGHT_SOURCE_DIR} + "/examples/vehicles/" + vehicle + ".json")},
+                             {"start", {5, 5, 0}}, {"goal", {5, 5, 2}}, {"planner", {{"name", planner}}}};
+      std::ofstream{folder_ / "t.json"} << scenario;
+      const auto planned = run("plan t.json -o t");
+      ASSERT_EQ(planned.status, 0) << planner << " " << vehicle << planned.out << planned.err;
+      EXPECT_EQ(read(folder_ / "t/plan.json")["metrics"]["length"], 0.0) << planner;
+      std::filesystem::remove_all(folder_ / "t");
+    }
+  }
+}
+
 TEST_F(CommandLine, ASlidingBaseIsReplannedWhereItStandsAlone) {
   ASSERT_EQ(run("plan " + examples + "mecanum_discs.json -o o").status, 0);
   refused(run("replan o/plan.json --at 3 --goal 3,2.4,2.9 -o r"), {"--at", "does not face along", "stands"});

@@ -22,8 +22,8 @@ int verify(const std::filesystem::path& file) {
     text = fmt::format(
         "{}: proven again: collision-free over {:.3f} m with {}{} of clearance; start, goal, limits, "
         "continuity, "
-        "samples and speed hold\n",
-        file.string(), c.checked_length, is_beyond_measure(c) ? "" : "at least ", clearance_words(c));
+        "samples and speed hold{}\n",
+        file.string(), c.checked_length, is_beyond_measure(c) ? "" : "at least ", clearance_words(c), plan->scenario.moving.empty() ? "" : "; so do its times, against all that moves as predicted");
   } else {
     text = fmt::format("{}: not proven\n", file.string());
     for (const std::string& finding : verification->findings) text += "  - " + finding + "\n";

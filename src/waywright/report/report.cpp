@@ -75,8 +75,11 @@ std::string proof_html(const Plan& plan) {
       "at any pose within the pose error. The bound is at "
       "most {:.1f} mm under the truth. Assumed: the map shows everything, the footprint covers the whole "
       "vehicle, and the vehicle stays within the pose "
-      "error.</p>\n",
-      c.checked_length, nearer, 1000.0 * c.tolerance);
+      "error.{}</p>\n",
+      c.checked_length, nearer, 1000.0 * c.tolerance,
+      plan.scenario.moving.empty() ? std::string{}
+                                   : fmt::format(" Of what moves: more than {:.1f} mm at every time of the plan, wherever within its spread it is; assumed is that it moves as predicted.",
+                                                 1000.0 * plan.scenario.clearance));
 }
 
 namespace {

@@ -33,7 +33,8 @@ std::string headline(const Plan& plan) {
         return "Solved and proven: " + clearance_words(plan.certificate) + " of clearance";
       return fmt::format("Solved and proven: at least {:.1f} mm of clearance{}",
                          1000.0 * plan.certificate.clearance,
-                         error ? " at every pose within the pose error" : "");
+                         (plan.scenario.moving.empty() ? std::string{} : fmt::format(" to what stands, {:.1f} mm to what moves as predicted", 1000.0 * plan.scenario.clearance)) +
+                             (error ? " at every pose within the pose error" : ""));
     }
     case Status::unproven:
       return "A path, but not proven";

@@ -52,6 +52,12 @@ class HarmonicPlanner::Ready {
     const bool is_region = problem.free_goal() != nullptr && !problem.free_goal()->is_point();
     const auto goal = is_region ? std::optional<PlaneEnd>{PlaneEnd{}} : plane_goal(space_);
     if (!start || !goal) return tl::unexpected{no_room(space_, !start)};
+    if (!is_region && start->run == 0 && goal->run == 0 && start->at == goal->at) {  // nothing but a turn
+      Planned planned;
+      planned.path = plane_path(space_, *start, {start->at}, *goal);
+      planned.explanation.push_back("Start and goal are one place: the vehicle turns there.");
+      return planned;
+    }
     MotionCheck test{problem, Footprint{{}, space_.disc()}};
     const auto from = disc_connections(problem, frame_, start->at, true, test);
     std::vector<Cell> goals;

@@ -43,7 +43,7 @@ std::string changes_words(const WayCounts& counts, bool is_turning) {
 
 std::string jumps_sentence(const WayCounts& counts) {
   if (counts.curvature_jumps == 0) return {};
-  return fmt::format("Its curvature jumps at {} between changes of direction: there a vehicle whose steering takes time stops and turns the steered wheel.",
+  return fmt::format("Its curvature jumps at {} between changes of direction: there a vehicle stands whose steering takes time, or whose turning speeds up only so fast.",
                      counted(counts.curvature_jumps, "place", "places"));
 }
 
