@@ -27,7 +27,7 @@ constexpr double thinning = 0.002;        // m
 constexpr double rim_share = 0.2;         // of the distance to the nearest rim, that a step is long at most
 constexpr double shortest_step = 1e-6;    // of the outer disc's radius
 constexpr double longer_allowed = 1.1;    // of a way that keeps farther away, over the shortest
-constexpr double usual_kappa = 8.0;       // the reconstruction's
+const std::vector<double> usual_kappas{8.0, 3.0, 5.0, 12.0, 20.0};  // where none is shown to do; 8 is the reconstruction's
 constexpr int region_points = 24;         // a side, that are looked at in a region for one where the disc can stand
 
 /// Where in the goal's area the way is to end: as near to the start as the disc can stand.
@@ -123,8 +123,8 @@ class FieldPlanner::Ready {
     if (options.kappa == 0.0) {
       kappas = kappas_that_lead_to_goal(world, goal, [&] { return budget.exhausted(); });
       if (kappas.empty()) {
-        kappas = {usual_kappa};
-        text.push_back(fmt::format("No whole κ from 2 to 20 was shown to leave no minimum but the goal; {:g} is tried.", usual_kappa));
+        kappas = usual_kappas;
+        text.push_back("No whole κ from 2 to 20 was shown to leave no minimum but the goal; some are tried.");
       }
     }
     const Chosen chosen = best_of(kappas, [&](double kappa) { return follow({world, goal, kappa}, start, options, most, budget); }, [&](Vec2 q) { return NavigationFunction{world, goal, 1.0}.distance_to_rim(q); }, budget);
@@ -245,8 +245,8 @@ class FieldPlanner::Ready {
     if (options.kappa == 0.0) {
       kappas = kappas_that_lead_to_goal(map.model(), goal, [&] { return budget.exhausted(); });
       if (kappas.empty()) {
-        kappas = {usual_kappa};
-        text.push_back(fmt::format("No whole κ from 2 to 20 was shown to leave no minimum but the goal in the model; {:g} is tried.", usual_kappa));
+        kappas = usual_kappas;
+        text.push_back("No whole κ from 2 to 20 was shown to leave no minimum but the goal in the model; some are tried.");
       }
     }
     const RimDistance rims{space_};

@@ -177,6 +177,30 @@ TEST(PotentialFieldPlanner, ShortStepsAreNoTrap) {
   EXPECT_TRUE(driven(s, slow));
 }
 
+/// The share of a grid of starts in the free space that is led to the goal.
+double converging(const std::string& name, std::size_t task, const FieldPlannerOptions& options, int side, double reach) {
+  const Scenario base = scenario(name, task);
+  int asked = 0, led = 0;
+  for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < side; ++i) {
+      Scenario s = base;
+      s.start = {reach * (2.0 * (i + 0.5) / side - 1.0), reach * (2.0 * (j + 0.5) / side - 1.0), 0.0};
+      const Problem problem = Problem::prepare(std::move(s)).value();
+      if (!PlaneSpace{problem}.is_free(problem.start().position())) continue;
+      ++asked;
+      Budget budget;
+      led += FieldPlanner{"field", options}.plan(problem, budget) ? 1 : 0;
+    }
+  }
+  return static_cast<double>(led) / asked;
+}
+
+TEST(NavigationFunctionPlanner, LeadsEveryStartToTheGoal) {
+  EXPECT_EQ(converging("NF-S3", 0, navigation(8.0), 6, 4.9), 1.0);
+  EXPECT_EQ(converging("NF-TWO", 0, navigation(8.0), 6, 4.9), 1.0);
+  EXPECT_LT(converging("NF-TWO", 0, potential(0.1), 6, 4.9), 1.0);  // the potential field does not
+}
+
 // Worlds ten times as large, with a base of 0.58 × 0.38 m that keeps its heading or turns while it drives.
 TEST(FieldPlanners, DriveAMecanumBaseThroughScaledWorlds) {
   for (const double end : {0.0, 2.0}) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "waywright/core/random.hpp"
 #include "waywright/planner/field/sphere_world_of.hpp"
@@ -120,6 +122,48 @@ TEST(CriticalPoints, AreThoseOfTheTable) {
   EXPECT_LT(distance(points[1].at, {-1.047, -2.696}), 0.001);
   EXPECT_LT(distance(points[2].at, {1.240, 0.641}), 0.001);
 }
+
+/// Does a start get to the goal down the slope, by steps of 0.01 m or a fifth of the way to the nearest rim?
+bool converges(const NavigationFunction& function, Vec2 q) {
+  for (int k = 0; k < 20'000; ++k) {
+    if (distance(q, function.goal()) < 0.02) return true;
+    const double rim = function.distance_to_rim(q);
+    if (!(rim > 0.0)) return false;
+    const Vec2 slope = function.slope(q);
+    q = q - (std::min(0.01, 0.2 * rim) / norm(slope)) * slope;
+  }
+  return false;
+}
+
+/// Starts that do not, of `side` × `side` over the world.
+void converge(int side) {
+  struct World {
+    const char* name;
+    const SphereWorld& world;
+    Vec2 goal;
+    double kappa;
+    bool leads;  // by the table: else there is another minimum
+  };
+  for (const World& w : {World{"two discs", two, {3, 0}, 8, true}, World{"two discs", two, {3, 0}, 5, false}, World{"three discs", three, behind, 8, true}, World{"three discs", three, behind, 5, false},
+                         World{"three discs", three, between, 4, true}}) {
+    const NavigationFunction function{w.world, w.goal, w.kappa};
+    int asked = 0, stuck = 0;
+    for (int j = 0; j < side; ++j) {
+      for (int i = 0; i < side; ++i) {
+        const Vec2 q{10.0 * (i + 0.5) / side - 5.0, 10.0 * (j + 0.5) / side - 5.0};
+        if (!function.is_free(q)) continue;
+        ++asked;
+        stuck += converges(function, q) ? 0 : 1;
+      }
+    }
+    std::printf("%s, goal (%g, %g), kappa %g: %d of %d starts get to the goal\n", w.name, w.goal.x, w.goal.y, w.kappa, asked - stuck, asked);
+    if (w.leads) EXPECT_EQ(stuck, 0) << w.name << " " << w.kappa;
+    else EXPECT_GT(stuck, 0) << w.name << " " << w.kappa;
+  }
+}
+
+TEST(NavigationFunction, LeadsEveryStartToTheGoalWhereItHasOneMinimum) { converge(30); }
+TEST(NavigationFunctionFull, LeadsEveryStartOfFortyThousandToTheGoal) { converge(200); }
 
 TEST(EnclosingDisc, HoldsAllPointsAndRestsOnTwoOrThree) {
   Random random{11};
