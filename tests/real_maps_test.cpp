@@ -102,7 +102,7 @@ void run_planners(const RealMap& map, const std::filesystem::path& data, std::si
           ASSERT_TRUE(verification) << what;
           EXPECT_TRUE(verification->holds) << what << ": " << verification->findings.front();
           if (planner.name == "visibility_graph" && vehicle.footprint.is_disc() && !least.is_straight) {
-            EXPECT_LE(plan->metrics.length, (least.is_partial ? 1.1 : 1.01) * least.metres + 0.05) << what;  // a bound of a search in part is lower
+            EXPECT_LE(plan->metrics.length, (least.is_partial ? 1.03 : 1.01) * least.metres + 0.05) << what;  // a bound of a search in part is lower, by 3 % at most on these maps
           }
           continue;
         }
