@@ -68,9 +68,13 @@ GridGraph::GridGraph(int columns, int rows, Neighbours neighbours, std::vector<s
   label_components();
 }
 
-void GridGraph::set_danger(std::vector<std::uint16_t> danger) {
-  danger_ = std::move(danger);
-  most_danger_ = danger_.empty() ? std::uint16_t{0} : *std::max_element(danger_.begin(), danger_.end());
+void GridGraph::set_danger(std::span<const std::uint16_t> danger) {
+  danger_.clear();
+  most_danger_ = 0;
+  if (danger.empty()) return;
+  danger_.assign(danger.size() + 2 * margin(), 0);
+  std::copy(danger.begin(), danger.end(), danger_.begin() + static_cast<std::ptrdiff_t>(margin()));
+  most_danger_ = *std::max_element(danger.begin(), danger.end());
 }
 
 void GridGraph::set_zones(GridZones zones) {

@@ -41,8 +41,10 @@ class GridGraph {
 
   /// What nearness costs in a cell, in 1/256 of the way through it: a move of length ℓ costs ℓ·(1 + (d₁ + d₂)/512), with the cells at its ends.
   /// @pre as many as there are cells
-  void set_danger(std::vector<std::uint16_t> danger);
-  const std::vector<std::uint16_t>& danger() const { return danger_; }
+  void set_danger(std::span<const std::uint16_t> danger);
+  std::span<const std::uint16_t> danger() const { return danger_.empty() ? std::span<const std::uint16_t>{} : std::span{danger_}.subspan(margin(), cells()); }
+  /// Numbers that can be read before the first cell's danger and behind the last one's.
+  std::size_t margin() const { return 2 * static_cast<std::size_t>(columns_) + 8; }
   std::uint16_t most_danger() const { return most_danger_; }
 
   /// Takes out the moves that break a directed zone's rule, and weighs the others. Components stay those of the moves that were there both ways.
@@ -61,7 +63,7 @@ class GridGraph {
   int columns_ = 0, rows_ = 0;
   Neighbours neighbours_ = Neighbours::eight;
   std::vector<std::uint16_t> free_, asked_;
-  std::vector<std::uint16_t> danger_;
+  std::vector<std::uint16_t> danger_;  // with a margin on either side
   std::uint16_t most_danger_ = 0;
   GridZones zones_;
   std::vector<std::uint16_t> component_;

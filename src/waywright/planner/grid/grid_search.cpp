@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "waywright/planner/grid/heuristic_rest.hpp"
+#include "waywright/planner/grid/lanes/kernels.hpp"
 #include "waywright/planner/grid/search_core.hpp"
 
 namespace waywright {
@@ -30,12 +31,26 @@ class Space {
     rest_.aim_at(ends);
     for (std::size_t i = 0; i < moves.size(); ++i) {
       offsets_[i] = static_cast<std::uint32_t>(moves[i].row * 65536 + moves[i].column);
-      weights_[i] = weights.of(static_cast<int>(i));
+      lattice_.weight[i] = weights.of(static_cast<int>(i));
+      lattice_.column[i] = moves[i].column;
+      lattice_.row[i] = moves[i].row;
       cells_[i] = moves[i].row * static_cast<std::ptrdiff_t>(width_) + moves[i].column;
     }
+    lattice_.width = width_;
+    lattice_.danger = has_danger ? danger_ : nullptr;
+    if constexpr (kind == Kind::free_way) {
+      const std::array<WayTerm, 2> terms = free_way_terms(neighbours, weights);
+      for (std::size_t k = 0; k < terms.size(); ++k) {
+        lattice_.most[k] = terms[k].most;
+        lattice_.least[k] = terms[k].least;
+      }
+      lattice_.less = rest_.less();
+    }
+    leaves_at_once_ = (static_cast<std::uint64_t>(graph.most_danger()) * 2 + 511) * weights.most(neighbours) <= std::numeric_limits<std::uint32_t>::max();
   }
 
   std::size_t size() const { return graph_.cells(); }
+  std::size_t margin() const { return graph_.margin(); }
   std::size_t index(std::uint32_t state) const { return static_cast<std::size_t>(state >> 16) * width_ + (state & 0xFFFF); }
   std::uint32_t rest(std::uint32_t state) const {
     if constexpr (kind == Kind::none) return 0;
@@ -59,27 +74,43 @@ class Space {
     return std::bit_floor(std::max(1U, all_weights_.scale / 16));
   }
 
-  template <class Emit>
-  void expand(std::uint32_t state, Emit&& emit) const {
+  template <class Reach>
+  void expand(std::uint32_t state, std::uint32_t cost_here, const grid::Reached& reached, Reach&& reach) const {
     const std::size_t here = index(state);
-    unsigned rest = free_[here];
+    unsigned left = free_[here];
     if constexpr (asks) {
       for (unsigned doubtful = asked_[here]; doubtful != 0; doubtful &= doubtful - 1) {
         const int i = __builtin_ctz(doubtful);
-        if (query_.is_free(unpack(state), i)) rest |= 1U << i;
+        if (query_.is_free(unpack(state), i)) left |= 1U << i;
       }
     }
-    for (; rest != 0; rest &= rest - 1) {
-      const auto i = static_cast<std::size_t>(__builtin_ctz(rest));
+    if constexpr (may_leave_at_once) {
+      if (leaves_at_once_) {
+        const Cell at = unpack(state);
+        const Cell middle = rest_.middle();
+        move_lanes::Arrivals arrivals;
+        const move_lanes::From from{reached.keys() + here, static_cast<std::ptrdiff_t>(here), cost_here, reached.base(), at.column - middle.column, at.row - middle.row, left};
+        for (left = leave_(lattice_, from, arrivals); left != 0; left &= left - 1) {
+          const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+          reach(state + offsets_[i], static_cast<std::size_t>(static_cast<std::ptrdiff_t>(here) + cells_[i]), arrivals.cost[i], arrivals.bound[i], arrivals.bound[i] - arrivals.cost[i], static_cast<int>(i));
+        }
+        return;
+      }
+    }
+    for (; left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(__builtin_ctz(left));
       const auto there = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(here) + cells_[i]);
-      std::uint32_t cost = weights_[i];
+      std::uint32_t cost = lattice_.weight[i];
       if constexpr (has_danger) {
         const std::uint32_t both = static_cast<std::uint32_t>(danger_[here]) + danger_[there];
         cost += static_cast<std::uint32_t>((static_cast<std::uint64_t>(cost) * both) >> 9);
       }
       // Rounded up, so that a sum is never under what the heuristic expects; less than rounding is nothing.
       if constexpr (has_zones) cost = static_cast<std::uint32_t>(std::ceil(cost * graph_.zones().factor(here, static_cast<int>(i)) - 1e-9));
-      emit(state + offsets_[i], there, cost, static_cast<int>(i));
+      const std::uint32_t sum = cost_here + cost;
+      if (!reached.is_better(there, sum)) continue;
+      const std::uint32_t next = state + offsets_[i], more = rest(next);
+      reach(next, there, sum, static_cast<std::uint64_t>(sum) + more, more, static_cast<int>(i));
     }
   }
 
@@ -92,7 +123,11 @@ class Space {
   const std::uint16_t* free_;
   const std::uint16_t* asked_;
   const std::uint16_t* danger_;
-  std::array<std::uint32_t, all_moves> offsets_{}, weights_{};
+  static constexpr bool may_leave_at_once = neighbours == Neighbours::sixteen && kind != Kind::others && !has_zones;  // fewer moves are as quick one by one
+  bool leaves_at_once_ = false;
+  move_lanes::Lattice lattice_;
+  decltype(move_lanes::Kernels::leave) leave_ = move_lanes::best().leave;
+  std::array<std::uint32_t, all_moves> offsets_{};
   std::array<std::ptrdiff_t, all_moves> cells_{};
 };
 
@@ -108,10 +143,11 @@ void trace(const GridGraph& graph, const grid::Memory<Queue>& memory, std::uint3
   Cell at = unpack(target);
   for (;;) {
     answer.cells.push_back(at);
-    const grid::Visit& v = memory.visits[graph.index(at)];
-    if (v.is_start == 1) break;  // one of the starts
-    answer.counts.add(v.came_by);
-    const Move m = moves[v.came_by];
+    const grid::CameBy came_by = memory.reached.came_by(graph.index(at));
+    if (came_by == grid::CameBy::nothing) break;  // one of the starts
+    const auto move = static_cast<std::size_t>(came_by);
+    answer.counts.add(static_cast<int>(move));
+    const Move m = moves[move];
     at = {at.column - m.column, at.row - m.row};
   }
   std::reverse(answer.cells.begin(), answer.cells.end());

@@ -44,7 +44,7 @@ struct GridAnswer {
   bool known_at_once = false;   ///< unreachable, by components: nothing was searched
 };
 
-/// Memory of searches on one graph after another; for one thread at a time. 8 bytes a cell and what waits.
+/// Memory of searches on one graph after another; for one thread at a time. 5 bytes a cell and what waits.
 class GridSearch {
  public:
   GridSearch();

@@ -195,8 +195,32 @@ TEST(GridSearch, ManySearchesInOneMemoryAnswerAsFreshOnes) {
   }
 }
 
-// 65 536 generations go by.
-TEST(GridSearch, ForgetsOldSearchesWhenGenerationsBeginAgain) {
+// Ways far longer than expected leave the numbers that a search was given, and those after it begin under what it wrote.
+TEST(GridSearch, LongWaysAndShortOnesInOneMemory) {
+  const int n = 60;
+  Blocked b(n * n, 0);
+  for (int r = 1; r < n; r += 2) {
+    for (int c = 0; c < n; ++c) b[static_cast<std::size_t>(r * n + c)] = c == (r % 4 == 1 ? n - 1 : 0) ? 0 : 1;
+  }
+  for (const Neighbours neighbours : all_neighbours) {
+    GridGraph graph{n, n, b, neighbours, CornerRule::strict};
+    for (const bool dangerous : {false, true}) {
+      if (dangerous) graph.set_danger(std::vector<std::uint16_t>(b.size(), 300));
+      GridSearch kept;
+      for (int i = 0; i < 40; ++i) {
+        const GridQuery q = i % 3 == 0 ? between({0, 0}, {0, n - 2}) : i % 3 == 1 ? between({5, 4}, {20, 4}) : between({i, 0}, {i, 10});
+        const GridAnswer a = kept.run(graph, q), fresh = GridSearch{}.run(graph, q);
+        ASSERT_EQ(a.ended, SearchEnd::found);
+        ASSERT_EQ(a.cells, fresh.cells);
+        ASSERT_EQ(a.cost, fresh.cost);
+        ASSERT_EQ(a.expansions, fresh.expansions);
+      }
+    }
+  }
+}
+
+// What searches write goes down to nothing many times over.
+TEST(GridSearch, ForgetsOldSearchesWhenNumbersBeginAgain) {
   const Blocked none(9, 0);
   const GridGraph graph{3, 3, none, Neighbours::four, CornerRule::strict};
   GridSearch search;

@@ -163,7 +163,7 @@ TEST(GridZones, DangerAndZonesMultiply) {
   const GridFrame frame = make_grid_frame(problem, 0.0).value();
   GridGraph graph{5, 1, grid.blocked, Neighbours::four, CornerRule::strict};
   graph.set_zones(GridZones::make(problem.zones(), frame, Neighbours::four).value());
-  graph.set_danger({0, 0, 256, 256, 0});
+  graph.set_danger(std::vector<std::uint16_t>{0, 0, 256, 256, 0});
   GridQuery query;
   query.starts = {{{0, 0}, 0.0}};
   query.goals = {{{4, 0}, 0.0}};

@@ -38,6 +38,7 @@ class Space {
   std::size_t size() const {
     return static_cast<std::size_t>(space_.frame().columns) * static_cast<std::size_t>(space_.frame().rows) * static_cast<std::size_t>(space_.headings());
   }
+  static std::size_t margin() { return 0; }
   std::size_t index(std::uint32_t state) const {
     const HeadingState s = unpack(state);
     const std::size_t cell = static_cast<std::size_t>(s.cell.row) * static_cast<std::size_t>(space_.frame().columns) + static_cast<std::size_t>(s.cell.column);
@@ -57,12 +58,15 @@ class Space {
     return std::bit_floor(std::max(1U, weights_.scale / 8));
   }
 
-  template <class Emit>
-  void expand(std::uint32_t packed, Emit&& emit) const {
+  template <class Reach>
+  void expand(std::uint32_t packed, std::uint32_t cost_here, const grid::Reached& reached, Reach&& reach) const {
     const HeadingState s = unpack(packed);
     const auto to = [&](const HeadingState& next, std::uint32_t cost, HeadingStep step) {
-      const std::uint32_t there = pack(next);
-      emit(there, index(there), cost, static_cast<int>(step));
+      const std::uint32_t there = pack(next), sum = cost_here + cost;
+      const std::size_t at = index(there);
+      if (!reached.is_better(at, sum)) return;
+      const std::uint32_t left = rest(there);
+      reach(there, at, sum, static_cast<std::uint64_t>(sum) + left, left, static_cast<int>(step));
     };
     const int move = space_.move(s.heading);
     const Move m = moves[static_cast<std::size_t>(move)];
@@ -177,9 +181,9 @@ HeadingAnswer HeadingSearch::run(const HeadingSpace& space, const std::vector<He
     answer.last = unpack(outcome.target);
     HeadingState at = answer.last;
     for (;;) {
-      const grid::Visit& v = state_->memory.visits[states.index(pack(at))];
-      if (v.is_start == 1) break;
-      const auto step = static_cast<HeadingStep>(v.came_by);
+      const grid::CameBy came_by = state_->memory.reached.came_by(states.index(pack(at)));
+      if (came_by == grid::CameBy::nothing) break;
+      const auto step = static_cast<HeadingStep>(came_by);
       answer.steps.push_back(step);
       const Move m = moves[static_cast<std::size_t>(space.move(at.heading))];
       if (step == HeadingStep::forwards) at.cell = {at.cell.column - m.column, at.cell.row - m.row};

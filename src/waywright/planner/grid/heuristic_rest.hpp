@@ -36,6 +36,8 @@ class HeuristicRest {
     const std::uint32_t value = free_way(neighbours, weights_, c.column - middle_.column, c.row - middle_.row);
     return value > less_ ? value - less_ : 0;
   }
+  Cell middle() const { return middle_; }         ///< what the way is expected to
+  std::uint32_t less() const { return less_; }  ///< what is taken off
   bool may_be_end(Cell c) const { return c.column >= low_.column && c.column <= high_.column && c.row >= low_.row && c.row <= high_.row; }
 
  private:

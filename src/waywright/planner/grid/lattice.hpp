@@ -51,6 +51,8 @@ struct MoveWeights {
   std::uint32_t diagonal = 1;
   std::uint32_t knight = 2;
   std::uint32_t of(int move) const { return kind_of(move) == MoveKind::straight ? scale : kind_of(move) == MoveKind::diagonal ? diagonal : knight; }
+  /// Of the costliest move.
+  std::uint32_t most(Neighbours neighbours) const { return neighbours == Neighbours::four ? scale : neighbours == Neighbours::eight ? diagonal : knight; }
   double error() const;  ///< cells a move, by which the weights may misjudge
 };
 inline constexpr int weight_levels = 3;
@@ -67,14 +69,25 @@ const char* to_string(Heuristic heuristic);
 /// Is it never more than what is left, so that the way found is the shortest?
 bool never_too_much(Heuristic heuristic, Neighbours neighbours);
 
+/// Of the greater of the columns and rows that are left and of the lesser.
+struct WayTerm {
+  std::uint32_t most = 0, least = 0;
+};
+/// The weight of the free way is the greater of the two. (Of 16 neighbours: straight and knight's moves while most ≥ 2 least, then knight's and diagonal
+/// ones; straight + diagonal > knight makes either the greater where it holds.)
+constexpr std::array<WayTerm, 2> free_way_terms(Neighbours neighbours, const MoveWeights& w) {
+  const WayTerm four{w.scale, w.scale}, eight{w.scale, w.diagonal - w.scale};
+  if (neighbours == Neighbours::four) return {four, four};
+  if (neighbours == Neighbours::eight) return {eight, eight};
+  return {{{w.scale, w.knight - 2 * w.scale}, {w.knight - w.diagonal, 2 * w.diagonal - w.knight}}};
+}
+
 /// Weights of the free way over so many columns and rows.
 inline std::uint32_t free_way(Neighbours neighbours, const MoveWeights& w, int columns, int rows) {
   const auto most = static_cast<std::uint32_t>(std::max(std::abs(columns), std::abs(rows)));
   const auto least = static_cast<std::uint32_t>(std::min(std::abs(columns), std::abs(rows)));
-  if (neighbours == Neighbours::four) return (most + least) * w.scale;
-  if (neighbours == Neighbours::eight) return (most - least) * w.scale + least * w.diagonal;
-  if (2 * least <= most) return (most - 2 * least) * w.scale + least * w.knight;
-  return (most - least) * w.knight + (2 * least - most) * w.diagonal;
+  const std::array<WayTerm, 2> terms = free_way_terms(neighbours, w);
+  return std::max(terms[0].most * most + terms[0].least * least, terms[1].most * most + terms[1].least * least);
 }
 
 }  // namespace waywright

@@ -141,7 +141,7 @@ class SafePlanner::Ready {
         costs[at] = static_cast<std::uint16_t>(std::min(most, counted_as));
       }
     }
-    graph_.set_danger(std::move(costs));
+    graph_.set_danger(costs);
   }
 
   std::string what_fits() const {

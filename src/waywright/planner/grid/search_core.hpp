@@ -1,6 +1,6 @@
 // The search itself, for any space of states: A* on flat arrays, with costs in whole numbers.
 //
-// Nothing is cleared from search to search: a state's record says of which search it is. The queue is buckets of equal width of what a way over
+// Nothing is cleared from search to search: what a former one left is greater than all that a new one writes, until the numbers run out. The queue is buckets of equal width of what a way over
 // a state costs at least; within a bucket the state found last comes first, and one that turns out cheaper later is looked at again, so that the
 // answer is the least cost whatever the width. Or it is a heap in the publication's order: least cost first, then least expected rest, then the older entry.
 #pragma once
@@ -17,14 +17,6 @@
 namespace waywright::grid {
 
 inline constexpr std::uint32_t no_cost = std::numeric_limits<std::uint32_t>::max();
-
-/// What a search knows of a state. 8 bytes.
-struct Visit {
-  std::uint32_t cost = 0;        ///< from the start
-  std::uint16_t generation = 0;  ///< of which search it is
-  std::uint8_t came_by = 0;      ///< the move that led here
-  std::uint8_t is_start = 0;     ///< nothing led here
-};
 
 /// A state that waits.
 struct Waiting {
@@ -122,31 +114,74 @@ struct Terminal {
   std::uint32_t cost = 0;
 };
 
+/// The move that led somewhere. A type of its own, as a write to bytes could change anything, for all that the compiler knows.
+enum class CameBy : std::uint8_t { nothing = 255 };  ///< nothing led to a start
+
+/// What a search knows of its states, 5 bytes of each; one thread at a time. A state's key is its cost and `base`, which goes down from search to
+/// search by so much that all keys of former ones are greater than any of the new.
+class Reached {
+ public:
+  /// `margin`: numbers that can be read before the first key and behind the last. `expected`: of a cost, to guess how great they get.
+  void begin(std::size_t states, std::size_t margin, std::uint64_t expected) {
+    if (came_by_.size() != states || margin_ != margin) {
+      keys_.assign(states + 2 * margin, never);
+      came_by_.resize(states);
+      margin_ = margin;
+      first_ = keys_.data() + margin;
+      base_ = never;
+    }
+    const auto span = static_cast<std::uint32_t>(std::min<std::uint64_t>(4 * expected, never));
+    if (base_ < span) {
+      std::fill(keys_.begin(), keys_.end(), never);
+      base_ = never;
+    }
+    top_ = base_;
+    base_ -= span;
+  }
+  /// Costs under `cost` can be told from what former searches left, from now on.
+  void make_room(std::uint64_t cost) {
+    if (cost > top_ - base_) move_to_zero();
+  }
+  bool is(std::size_t index, std::uint32_t cost) const { return key(index) == base_ + cost; }
+  bool is_better(std::size_t index, std::uint32_t cost) const { return base_ + cost < key(index); }
+  void reach(std::size_t index, std::uint32_t cost, CameBy came_by) {
+    first_[index] = base_ + cost;
+    came_by_[index] = came_by;
+  }
+  CameBy came_by(std::size_t index) const { return came_by_[index]; }
+  std::uint32_t base() const { return base_; }
+  const std::uint32_t* keys() const { return first_; }
+
+ private:
+  static constexpr std::uint32_t never = no_cost;
+  std::uint32_t key(std::size_t index) const { return first_[index]; }
+  [[gnu::noinline]] void move_to_zero() {
+    for (std::uint32_t& key : keys_) key = key >= top_ ? never : key - base_;
+    top_ = never;
+    base_ = 0;
+  }
+
+  std::vector<std::uint32_t> keys_;
+  std::vector<CameBy> came_by_;
+  std::size_t margin_ = 0;
+  std::uint32_t* first_ = nullptr;  // of the states' keys
+  std::uint32_t base_ = never, top_ = never;
+};
+
 /// Memory of searches; one thread at a time.
 template <class Queue>
 struct Memory {
-  std::vector<Visit> visits;
-  std::uint16_t generation = 0;
+  Reached reached;
   Queue queue;
-
-  void begin(std::size_t states) {
-    if (visits.size() != states) {
-      visits.assign(states, Visit{});
-      generation = 0;
-    }
-    if (++generation == 0) {  // once in 65 535 searches
-      std::fill(visits.begin(), visits.end(), Visit{});
-      generation = 1;
-    }
-  }
 };
 
 /// Least cost from any of the starts to any of the targets. A space has
-///   size()                             how many states,
+///   size(), margin()                   how many states; see Reached,
 ///   index(state)                       of a packed state, below size(),
 ///   rest(state)                        what is left at least, as the heuristic has it; the search is exact where it is never too much,
 ///   may_be_target(state)               a quick look, false for most,
-///   expand(state, emit(state, index, cost, move)),
+///   expand(state, cost, reached, reach(state, index, cost, bound, rest, move))   of each state that is reached for less than is known: the cost to it,
+///                                      that and the rest, the rest,
 ///   most_cost(), most_rest()           of one move; of any state,
 ///   bucket_width()                     a power of two.
 /// `before_expansion(n)` is asked every 1024 expansions, with how many there were, and may end the search.
@@ -154,9 +189,6 @@ template <class Space, class Queue, class Stop>
 Outcome search(Space& space, Memory<Queue>& memory, const std::vector<Terminal>& starts, std::vector<Terminal> targets, std::int64_t most_expansions, Stop&& stop) {
   const auto before = [](const Terminal& a, const Terminal& b) { return a.state < b.state; };
   std::sort(targets.begin(), targets.end(), before);  // a region has many
-  memory.begin(space.size());
-  Visit* const visits = memory.visits.data();
-  const std::uint16_t generation = memory.generation;
   Queue& queue = memory.queue;
   Outcome outcome;
   std::uint64_t least = std::numeric_limits<std::uint64_t>::max(), greatest = 0;
@@ -172,19 +204,21 @@ Outcome search(Space& space, Memory<Queue>& memory, const std::vector<Terminal>&
     outcome.ended = Ended::overflow;
     return outcome;
   }
-  const auto most_cost = static_cast<std::uint32_t>(room - space.most_cost() - space.most_rest());
+  const auto most_cost = static_cast<std::uint32_t>(room - space.most_cost() - space.most_rest());  // of a state that is left
+  Reached& reached = memory.reached;
+  reached.begin(space.size(), space.margin(), greatest + 16ULL * space.most_cost());
+  reached.make_room(greatest + 1);
   queue.begin(least, greatest - least + 3ULL * space.most_cost(), space.bucket_width());
   for (const Terminal& s : starts) {
-    Visit& v = visits[space.index(s.state)];
-    if (v.generation == generation && v.cost <= s.cost) continue;
-    v = {s.cost, generation, 0, 1};
+    if (!reached.is_better(space.index(s.state), s.cost)) continue;
+    reached.reach(space.index(s.state), s.cost, CameBy::nothing);
     queue.push(static_cast<std::uint64_t>(s.cost) + space.rest(s.state), space.rest(s.state), {s.cost, s.state});
   }
   std::uint64_t best = std::numeric_limits<std::uint64_t>::max();
   bool overflowed = false;
   Waiting at;
   while (queue.pop(best, at)) {
-    if (visits[space.index(at.state)].cost != at.cost) continue;
+    if (!reached.is(space.index(at.state), at.cost)) continue;
     if (space.may_be_target(at.state)) {
       for (auto t = std::lower_bound(targets.begin(), targets.end(), Terminal{at.state, 0}, before); t != targets.end() && t->state == at.state; ++t) {
         const std::uint64_t whole = static_cast<std::uint64_t>(at.cost) + t->cost;
@@ -205,17 +239,14 @@ Outcome search(Space& space, Memory<Queue>& memory, const std::vector<Terminal>&
       }
     }
     ++outcome.expansions;
-    space.expand(at.state, [&](std::uint32_t next, std::size_t index, std::uint32_t cost, int move) {
-      const std::uint32_t sum = at.cost + cost;
-      Visit& v = visits[index];
-      if (v.generation == generation && v.cost <= sum) return;
-      if (sum > most_cost) {
-        overflowed = true;
-        return;
-      }
-      v = {sum, generation, static_cast<std::uint8_t>(move), 0};
-      const std::uint32_t rest = space.rest(next);
-      queue.push(static_cast<std::uint64_t>(sum) + rest, rest, {sum, next});
+    if (at.cost > most_cost) {
+      overflowed = true;
+      continue;
+    }
+    reached.make_room(static_cast<std::uint64_t>(at.cost) + space.most_cost() + 1);
+    space.expand(at.state, at.cost, reached, [&](std::uint32_t next, std::size_t index, std::uint32_t cost, std::uint64_t bound, std::uint32_t rest, int move) {
+      reached.reach(index, cost, static_cast<CameBy>(move));
+      queue.push(bound, rest, {cost, next});
     });
   }
   outcome.cost = best;
