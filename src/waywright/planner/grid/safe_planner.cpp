@@ -211,7 +211,11 @@ class SafePlanner::Ready {
     constexpr const char* straight_on = "Nothing stands between start and goal: the way is straight, without a search.";
     if (may_be_straight(start, goal) && sight.is_free(start, goal, connecting_margin(problem_))) return explained({}, straight_on);
     const double margin = std::max(lattice_margin(problem_), keeps_ - disc_.disc);
-    const auto sees_goal = [&](Cell c) { return may_be_straight(frame_.centre(c), goal) && !first_crossing(cells_, middle_of(c), on_cells(goal)) && sight.is_free(frame_.centre(c), goal, margin); };
+    // What the last straight part keeps it has to keep at the goal, too: where it cannot, nothing has to be asked.
+    if (!sight.is_free(goal, goal, margin)) {
+      return plan_danger(budget, test, "The goal is nearer to something than a straight part to it may come, so the search went all the way. ");
+    }
+    const auto sees_goal = [&](Cell c) { return sight.is_free(frame_.centre(c), goal, margin) && !first_crossing(cells_, middle_of(c), on_cells(goal)) && may_be_straight(frame_.centre(c), goal); };
     const BoundaryAnswer boundary = boundary_points({cells_, *obstacles_, *danger_, on_cells(start), on_cells(goal), sees_goal, true, [&] { return budget.exhausted(); }});
     if (budget.exhausted()) return tl::unexpected{nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, 0, budget, frame_.cell, "")};
     if (boundary.kind != BoundaryAnswer::Kind::joined) {
