@@ -1,8 +1,10 @@
 // Headings of their own along lines and arcs: ends, samples, the way back, what is left.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "waywright/curve/arc.hpp"
 #include "waywright/path/path.hpp"
 #include "waywright/path/remainder.hpp"
 
@@ -62,6 +64,36 @@ TEST(HeadingAlong, TurningAloneMakesSamplesDense) {
 }
 
 // A line and an arc that touch, turning at one rate: one sample at the joint, as nothing jumps but the curvature.
+// Both the arc's chords and the turning's carry a point of the footprint off what lies between samples; together they keep the tolerance.
+TEST(HeadingAlong, NoPointOfTheFootprintLeavesWhatLiesBetweenSamplesByMoreThanTheTolerance) {
+  constexpr double radius = 1.5, tolerance = 5e-5;
+  double greatest = 0.0;
+  for (const double curvature : {0.0, 0.5, -2.0, 5.0}) {
+    for (const double turn : {0.0, 1.0, 1.3, -4.0, 7.0}) {
+      Path path;
+      const Arc arc{{0, 0, 0}, curvature, 1.7};
+      if (curvature == 0.0) path.pieces.push_back({Line{{0, 0}, {1.7, 0}}, 1, HeadingAlong{0.2, turn}});
+      else path.pieces.push_back({arc, 1, HeadingAlong{0.2, turn}});
+      const std::vector<Sample> samples = sample(path, radius, tolerance);
+      for (std::size_t i = 1; i < samples.size(); ++i) {
+        const Sample &a = samples[i - 1], &b = samples[i];
+        const double s = 0.5 * (a.s + b.s), heading = 0.2 + turn * s / 1.7;
+        const Vec2 at = curvature == 0.0 ? Vec2{s, 0.0} : evaluate(arc, s).position;
+        for (int k = 0; k < 16; ++k) {
+          const Vec2 corner = radius * unit(wrap(two_pi * k / 16.0));
+          const Pose middle = make_pose({0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, a.heading + 0.5 * shorter_turn(a.heading, b.heading));
+          const Vec2 between = 0.5 * (Frame{a.pose()}.to_world(corner) + Frame{b.pose()}.to_world(corner));
+          const Vec2 is = Frame{make_pose(at, heading)}.to_world(corner);
+          EXPECT_LE(distance(is, Frame{middle}.to_world(corner)), tolerance);
+          EXPECT_LE(distance(is, between), tolerance);
+          greatest = std::max(greatest, distance(is, between));
+        }
+      }
+    }
+  }
+  EXPECT_GT(greatest, 0.5 * tolerance) << "samples are not much denser than needed";
+}
+
 TEST(HeadingAlong, ASmoothJointStandsOnceWhereNothingJumps) {
   Path path;
   path.pieces.push_back({Line{{0, 0}, {1, 0}}, 1, HeadingAlong{0.0, 0.3}});

@@ -20,13 +20,15 @@ struct Density {
 
 double as_count(double count) { return count > 1.0 ? std::ceil(count) : 1.0; }
 
-/// Equal steps of a stretch of `length` metres with the given greatest |κ| and |dκ/ds|. Between samples Δs apart the true
-/// position leaves the chord by at most κΔs²/8 and the heading leaves its interpolation by at most κ′Δs²/8.
-double steps_of(double length, const CurvaturePeaks& peaks, const Density& density) {
+/// Equal steps of a stretch of `length` metres with the given greatest |κ| and |dκ/ds|, and a heading that follows the course or one of its own. Between samples
+/// Δs apart the true position leaves the chord by at most κΔs²/8 and the heading leaves its interpolation by at most θ″Δs²/8.
+double steps_of(double length, const CurvaturePeaks& peaks, const Density& density, const std::optional<HeadingAlong>& heading = {}) {
+  const double turning = heading ? std::abs(heading->turn) / length : peaks.curvature;  // |θ′|
+  const double turning_rate = heading ? 0.0 : peaks.rate;                               // |θ″|
   double step = density.step;
-  if (peaks.curvature > 0.0) step = std::min(step, density.step / peaks.curvature);
-  // A footprint point at `radius` also follows the rotation, whose chord error is radius·(κΔs)²/8.
-  const double bend = peaks.curvature + density.radius * (peaks.rate + peaks.curvature * peaks.curvature);
+  if (const double fastest = std::max(peaks.curvature, turning); fastest > 0.0) step = std::min(step, density.step / fastest);
+  // A footprint point at `radius` also follows the rotation, whose chord error is radius·(θ′Δs)²/8.
+  const double bend = peaks.curvature + density.radius * (turning_rate + turning * turning);
   if (bend > 0.0) step = std::min(step, std::sqrt(8.0 * 0.8 * density.tolerance / bend));
   return as_count(length / step);
 }
@@ -56,17 +58,14 @@ double coarse_steps_of(const BezierSpan& span, const Density& density) {
 
 using SpanSteps = double (*)(const BezierSpan&, const Density&);
 
-/// Of a heading that does not follow the course, beside those of the curve.
-double steps_of(const std::optional<HeadingAlong>& heading, const Density& density) { return heading ? steps_of(Turn{{}, 0.0, heading->turn}, density) : 1.0; }
-
 double steps_of(const Piece& piece, const Density& density, SpanSteps span_steps) {
-  return std::max(steps_of(piece.heading, density), std::visit(
+  return std::visit(
       [&](const auto& curve) -> double {
         using C = std::decay_t<decltype(curve)>;
         if constexpr (std::is_same_v<C, Line>) {
-          return steps_of(arc_length(curve), {}, density);
+          return steps_of(arc_length(curve), {}, density, piece.heading);
         } else if constexpr (std::is_same_v<C, Arc>) {
-          return steps_of(curve.length, {std::abs(curve.curvature), 0.0}, density);
+          return steps_of(curve.length, {std::abs(curve.curvature), 0.0}, density, piece.heading);
         } else if constexpr (std::is_same_v<C, Clothoid>) {
           return steps_of(curve, density);
         } else if constexpr (std::is_same_v<C, Turn>) {
@@ -81,7 +80,7 @@ double steps_of(const Piece& piece, const Density& density, SpanSteps span_steps
           return sum;
         }
       },
-      piece.curve));
+      piece.curve);
 }
 
 /// Heading and course go on as before: always so where the vehicle faces along.
@@ -152,7 +151,7 @@ class Sampler {
   void follow(const Line& line) {
     const double s0 = begin();
     const double total = arc_length(line);
-    const std::size_t steps = count(std::max(steps_of(total, {}, density_), steps_of(heading_, density_)));
+    const std::size_t steps = count(steps_of(total, {}, density_, heading_));
     for (std::size_t i = 0; i <= steps; ++i) {
       const double s = total * static_cast<double>(i) / static_cast<double>(steps);
       CurvePoint point = evaluate(line, s);
@@ -163,7 +162,7 @@ class Sampler {
 
   void follow(const Arc& arc) {
     const double s0 = begin();
-    const std::size_t steps = count(std::max(steps_of(arc.length, {std::abs(arc.curvature), 0.0}, density_), steps_of(heading_, density_)));
+    const std::size_t steps = count(steps_of(arc.length, {std::abs(arc.curvature), 0.0}, density_, heading_));
     for (std::size_t i = 0; i <= steps; ++i) {
       const double s = arc.length * static_cast<double>(i) / static_cast<double>(steps);
       push(s0 + s, evaluate(arc, s));
