@@ -162,8 +162,9 @@ class MapReader {
       return false;
     }
     if (kind_ != "dxf" && !has_none_of({"unit", "obstacle_layers", "boundary_layer", "tolerance", "closing"})) return false;
-    if (kind_ != "movingai" && kind_ != "opentcs" && !has_none_of({"cell"})) return false;
-    if (kind_ != "opentcs" && !has_none_of({"corridor", "margin"})) return false;
+    if (kind_ != "movingai" && kind_ != "opentcs" && kind_ != "rmf" && !has_none_of({"cell"})) return false;
+    if (kind_ != "opentcs" && kind_ != "rmf" && !has_none_of({"corridor"})) return false;
+    if (kind_ != "opentcs" && !has_none_of({"margin"})) return false;
     if (kind_ != "svg" && !has_none_of({"scale"})) return false;
     if (kind_ != "rmf" && !has_none_of({"level"})) return false;
     if (kind_ == "movingai" || kind_ == "generate" || kind_ == "svg" || kind_ == "rmf" || kind_ == "opentcs") return has_none_of({"resolution", "origin", "occupied_below", "unknown_is_free", "source", "notes", "alignment"});
@@ -271,6 +272,7 @@ class MapReader {
   void read_rmf(Json& source) {
     const std::string name = node_.at("rmf").file_name();
     const std::string level = node_.has("level") ? node_.at("level").text() : std::string{};
+    const std::optional<Corridor> corridor = read_corridor();
     if (node_.failed() || !count_file()) return;
     auto text = read_file(folder_ / name, largest_building);
     if (!text) return fail_by_file(node_.at("rmf"), text.error());
@@ -280,17 +282,39 @@ class MapReader {
     if (!level.empty()) source["level"] = level;
     add_file(source, fs::path{name}.filename().string(), sha256(*text));
     append(map_, std::move(*walls));
+    if (corridor) add_corridors(*corridor, lanes_, fs::path{name}.filename().string(), source);
+  }
+
+  struct Corridor {
+    double width = 0.0, cell = 0.0;  // m; of a cell 0: by the width
+  };
+  std::optional<Corridor> read_corridor() {
+    if (node_.has("cell") && !node_.has("corridor")) node_.at("cell").fail("it goes with corridor alone", "corridor beside it");
+    if (node_.failed() || !node_.has("corridor")) return std::nullopt;
+    Corridor corridor;
+    corridor.width = node_.at("corridor").number_above(0.0, 1e3);
+    if (node_.has("cell")) corridor.cell = node_.at("cell").number_above(0.0, 1e3);
+    return corridor;
+  }
+  /// Strips along lanes as all that is free, beside what else the map holds.
+  void add_corridors(const Corridor& corridor, const LaneGraph& lanes, const std::string& short_name, Json& source) {
+    const double cell = corridor.cell > 0.0 ? corridor.cell : lanes.empty() ? corridor.width : corridor_cell(lanes, corridor.width);
+    auto grid = lane_corridors(lanes, corridor.width, cell);
+    if (!grid) return node_.at("corridor").fail(grid.error().problem, grid.error().allowed);
+    if (!count_cells(node_, grid->columns, grid->rows)) return;
+    grid->name = short_name;
+    map_.notes.push_back(fmt::format("nothing is free but strips {:g} m across along the lanes, as cells of {:g} m", corridor.width, cell));
+    map_.grids.push_back(std::move(*grid));
+    source["corridor"] = corridor.width;
+    source["cell"] = cell;
   }
 
   /// A plant model knows no obstacles: what is free is said beside it.
   void read_opentcs(Json& source) {
     const std::string name = node_.at("opentcs").file_name();
-    const bool has_corridor = node_.has("corridor"), has_margin = node_.has("margin");
-    const double corridor = has_corridor ? node_.at("corridor").number_above(0.0, 1e3) : 0.0;
-    const double margin = has_margin ? node_.at("margin").number_above(0.0, 1e5) : usual_margin;
-    if (has_corridor && has_margin) node_.at("margin").fail("it does not go with corridor, which says all that is free", "one of them");
-    if (node_.has("cell") && !has_corridor) node_.at("cell").fail("it goes with corridor alone", "corridor beside it");
-    const double given_cell = node_.has("cell") ? node_.at("cell").number_above(0.0, 1e3) : 0.0;
+    const std::optional<Corridor> corridor = read_corridor();
+    const double margin = node_.has("margin") ? node_.at("margin").number_above(0.0, 1e5) : usual_margin;
+    if (corridor && node_.has("margin")) node_.at("margin").fail("it does not go with corridor, which says all that is free", "one of them");
     if (node_.failed() || !count_file()) return;
     auto text = read_file(folder_ / name, largest_plant);
     if (!text) return fail_by_file(node_.at("opentcs"), text.error());
@@ -300,16 +324,9 @@ class MapReader {
     notes.insert(notes.end(), plant->notes.begin(), plant->notes.end());
     const std::string short_name = fs::path{name}.filename().string();
     source["file"] = name;
-    if (has_corridor) {
-      const double cell = given_cell > 0.0 ? given_cell : corridor_cell(plant->lanes, corridor);
-      auto grid = lane_corridors(plant->lanes, corridor, cell);
-      if (!grid) return node_.at("corridor").fail(grid.error().problem, grid.error().allowed);
-      if (!count_cells(node_, grid->columns, grid->rows)) return;
-      grid->name = short_name;
-      notes.push_back(fmt::format("nothing is free but strips {:g} m across along the lanes, as cells of {:g} m", corridor, cell));
-      map_.grids.push_back(std::move(*grid));
-      source["corridor"] = corridor;
-      source["cell"] = cell;
+    if (corridor) {
+      add_corridors(*corridor, plant->lanes, short_name, source);
+      if (node_.failed()) return;
     } else {
       const Box box = bounding_box(plant->lanes);
       map_.boundaries.push_back(rectangle(box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}));
@@ -339,6 +356,10 @@ class MapReader {
       auto traced = trace(grid, options);
       if (!traced) return node_.at("trace").fail(traced.error().problem, traced.error().allowed);
       map_.notes.push_back((grid.name.empty() ? std::string{"the cells"} : grid.name) + ": " + describe(*traced, options));
+      if (grid.bounds && traced->covered == static_cast<std::int64_t>(grid.blocked.size())) {
+        map_.notes.push_back(options.dilate > 0.0 ? fmt::format("nothing is free any more: what is blocked, grown by {:g} m, covers all {:g} x {:g} m of the map", options.dilate, grid.columns * grid.cell, grid.rows * grid.cell)
+                                                  : std::string{"nothing is free: every cell is blocked"});
+      }
       if (traced->boundary) map_.boundaries.push_back(std::move(*traced->boundary));
       map_.obstacles.insert(map_.obstacles.end(), std::make_move_iterator(traced->obstacles.begin()), std::make_move_iterator(traced->obstacles.end()));
     }
