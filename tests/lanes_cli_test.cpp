@@ -63,10 +63,10 @@ TEST_F(CommandLine, AScenarioOfAPlantKeepsToItsLanesUnlessToldOtherwise) {
   const auto made = run("map ring.xml --scenario s.json --from D --to dock");
   ASSERT_EQ(made.status, 0) << made.err;
   // The disc about 0.8 x 0.6 m is 1 m across.
-  EXPECT_NE(made.err.find("nothing is free but strips 1.2 m across along the lanes"), std::string::npos) << made.err;
+  EXPECT_NE(made.err.find("nothing is free but strips 1.15 m across along the lanes"), std::string::npos) << made.err;
   Json scenario = Json::parse(slurp(folder_ / "s.json"));
   EXPECT_EQ(scenario["name"], "D to dock");
-  EXPECT_EQ(scenario["map"]["source"]["corridor"], 1.2);
+  EXPECT_EQ(scenario["map"]["source"]["corridor"], 1.15);
   const auto planned = run("plan s.json -o o");
   ASSERT_EQ(planned.status, 0) << planned.out << planned.err;
   EXPECT_NE(planned.out.find("It keeps to the lanes: all of its "), std::string::npos) << planned.out;

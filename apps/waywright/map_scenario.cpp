@@ -18,10 +18,10 @@ namespace {
 
 constexpr double usual_width = 1.0;      // m, of lanes' zones
 constexpr std::size_t most_named = 30;   // in a refusal
-// Of a corridor's width, the disc about a vehicle that turns in it: strips are up to 1.5 cells narrower on either side, a cell's middle lies within half a diagonal of any
-// place, and a cell is a fortieth of the width.
-constexpr double corridor_share = 2.0 * (0.5 - 1.5 / 40.0 - 0.7072 / 40.0);
-constexpr double steps_a_metre = 10.0;    // to which widths are rounded up
+// Of a corridor's width, the disc about a vehicle that turns in it: a cell is a fortieth of the width, strips are up to 1.5 cells narrower on either side, and ways from cell to
+// cell want one to either side where they lead across a bend.
+constexpr double corridor_share = 2.0 * (0.5 - (1.5 + 1.0) / 40.0);
+constexpr double steps_a_metre = 20.0;    // to which widths are rounded up
 constexpr double usual_cell = 0.05;      // m, of planners over cells, where the map has none
 
 tl::unexpected<InputError> refuse(const std::filesystem::path& file, const char* field, std::string problem, std::string allowed) {
