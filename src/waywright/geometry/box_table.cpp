@@ -47,8 +47,9 @@ BoxTable::BoxTable(const std::vector<Box>& boxes) {
   for_each_bin([&](std::size_t at, std::uint32_t box) { boxes_[next[at]++] = box; });
 }
 
-int BoxTable::column_of(double x) const { return static_cast<int>(std::clamp(std::floor((x - bounds_.low.x) / bin_), 0.0, columns_ - 1.0)); }
-int BoxTable::row_of(double y) const { return static_cast<int>(std::clamp(std::floor((y - bounds_.low.y) / bin_), 0.0, rows_ - 1.0)); }
+// Clamped first: what is left is cut off as floor would have it.
+int BoxTable::column_of(double x) const { return static_cast<int>(std::clamp((x - bounds_.low.x) / bin_, 0.0, columns_ - 1.0)); }
+int BoxTable::row_of(double y) const { return static_cast<int>(std::clamp((y - bounds_.low.y) / bin_, 0.0, rows_ - 1.0)); }
 
 BoxTable::Bin BoxTable::bin(int column, int row) const {
   const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);

@@ -14,7 +14,18 @@ constexpr double on_outline = 1e-6;  // m
 
 Box box_of(Vec2 a, Vec2 b) { return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}}; }
 
-bool is_inside(const ZoneRules::Weighed& zone, Vec2 point) { return zone.box.contains(point) && inner_radius(zone.area, point) > on_outline; }
+/// Inside, and farther than on_outline from every edge: most edges are told to be farther by their box.
+bool is_inside(const ZoneRules::Weighed& zone, Vec2 point) {
+  if (!zone.box.contains(point) || !contains(zone.area, point)) return false;
+  constexpr double clearly = 2.0 * on_outline;
+  for (std::size_t i = 0; i < zone.area.size(); ++i) {
+    const Vec2 a = zone.area[i], b = zone.area[i + 1 == zone.area.size() ? 0 : i + 1];
+    if ((a.x < point.x - clearly && b.x < point.x - clearly) || (a.x > point.x + clearly && b.x > point.x + clearly)) continue;
+    if ((a.y < point.y - clearly && b.y < point.y - clearly) || (a.y > point.y + clearly && b.y > point.y + clearly)) continue;
+    if (!(point_segment_distance(point, a, b) > on_outline)) return false;
+  }
+  return true;
+}
 
 double bounded(double product) { return std::clamp(product, ZoneRules::least_product, ZoneRules::most_product); }
 
