@@ -331,9 +331,12 @@ TEST(ClearanceOptimal, WhatCannotBeReachedIsKnownWithoutASearchAndLimitsAreKept)
   EXPECT_EQ(planned(s, {}, &raised).status, Status::canceled);
 
   s.map.boundaries = {rectangle({0, 0}, {4000, 4000})};
-  const Plan fine = planned(s, {{"resolution", 0.05}});
-  EXPECT_EQ(fine.status, Status::no_path);
-  EXPECT_NE(fine.reason.find("coarser resolution"), std::string::npos) << fine.reason;
+  s.planner = {"clearance_optimal", {{"resolution", 0.05}}};
+  const Problem fine = Problem::prepare(s).value();
+  const auto refused = solve(fine);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().field, "planner.resolution");
+  EXPECT_NE(refused.error().problem.find("coarser resolution"), std::string::npos) << refused.error().problem;
 }
 
 TEST(ClearanceOptimal, NeverBackwardsWhereThatIsNotAllowed) {

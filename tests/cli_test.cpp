@@ -204,6 +204,17 @@ TEST_F(CommandLine, ReplanAmongWhatHasAppeared) {
   refused(run("replan o/plan.json --after x" + with_box), {"--after", "x"});
   refused(run("replan o/plan.json --at 1 --goal 1,2,3" + with_box), {"--goal", "--obstacles"});
   refused(run("replan o/plan.json --at 1 --obstacles missing.json"), {"missing.json"});
+  // What lies off the map by far is asked about.
+  std::ofstream{folder_ / "far.json"} << R"({"format": "waywright-obstacles/1", "obstacles": [[[11.5, 11.5], [13, 11.5], [13, 13]], [[800, 800], [801, 800], [801, 801]]], "points": [[-500, 3]]})";
+  const Outcome far = run("replan o/plan.json --at 1 --obstacles far.json -o far");
+  EXPECT_NE(far.err.find("new obstacle 2 at (800.50, 800.50) lies off the map"), std::string::npos) << far.err;
+  EXPECT_NE(far.err.find("of the new points 1"), std::string::npos) << far.err;
+  EXPECT_EQ(far.err.find("new obstacle 1"), std::string::npos) << far.err;
+  // One that stands on the way: what of the old one is kept, and what that costs.
+  const Outcome pallet = run("replan o/plan.json --after 8 --obstacles " + example("obstacles/pallet.json") + " -o c");
+  EXPECT_EQ(pallet.status, 0) << pallet.out << pallet.err;
+  EXPECT_NE(pallet.out.find("blocked by new obstacle 1"), std::string::npos) << pallet.out;
+  EXPECT_NE(pallet.out.find("It leaves the old way after "), std::string::npos) << pallet.out;
   std::ofstream{folder_ / "empty.json"} << R"({"format": "waywright-obstacles/1"})";
   refused(run("replan o/plan.json --at 1 --obstacles empty.json"), {"empty.json", "no obstacle"});
 }
@@ -265,6 +276,23 @@ TEST_F(CommandLine, ImportJudgesAnyonesPoses) {
   EXPECT_EQ(imported["scenario"]["planner"]["name"], "pattern_docking");
   std::ofstream{folder_ / "again.json"} << imported["scenario"].dump();
   EXPECT_EQ(run("plan again.json -o again").status, 0);
+  EXPECT_NE(good.out.find("Proven along the whole motion"), std::string::npos) << good.out;
+  // Among what moves: where it waits is said, as of a plan.
+  ASSERT_EQ(run("plan " + example("moving_hall.json") + " -o h").status, 0);
+  Json crossing = Json::parse(slurp(folder_ / "h/plan.json"))["scenario"];
+  crossing["moving"].erase(1);
+  std::ofstream{folder_ / "crossing.json"} << crossing.dump();
+  ASSERT_EQ(run("plan crossing.json -o h").status, 0);
+  const Json driven = Json::parse(slurp(folder_ / "h/plan.json"))["path"]["samples"];
+  std::ofstream across{folder_ / "h.csv"};
+  across << "x,y,heading,direction\n";
+  across.precision(9);
+  for (std::size_t i = 0; i < driven["x"].size(); ++i) across << driven["x"][i] << ',' << driven["y"][i] << ',' << driven["heading"][i] << ',' << driven["direction"][i] << '\n';
+  across.close();
+  const Outcome waits = run("import h.csv --scenario crossing.json -o w");
+  EXPECT_EQ(waits.status, 0) << waits.out << waits.err;
+  EXPECT_NE(waits.out.find("the vehicle stops for person"), std::string::npos) << waits.out;
+  EXPECT_NE(waits.out.find("Proven in time"), std::string::npos) << waits.out;
   std::ofstream{folder_ / "bad.csv"} << "x,y,heading\n9.5,7,0\n2,7,3.14159265\n";
   EXPECT_EQ(run("import bad.csv --scenario " + example("dock_middle.json") + " -o b").status, 1);
   std::ofstream{folder_ / "broken.csv"} << "x,y,heading\n9.5,seven,0\n2,7,3.1\n";
@@ -356,6 +384,15 @@ TEST_F(CommandLine, UsageErrorsAreOneSentence) {
   refused(run("plan " + example("dock_middle.json") + " --set evaluations=0"), {"evaluations", "1 to"});
   refused(run("simulate " + example("dock_middle.json")), {"simulate", "not supported yet"});
   refused(run("plan " + example("vehicles")), {"folder"});
+  // Words that a script left empty.
+  refused(run("plan " + example("dock_middle.json") + " -o ''"), {"-o", "an empty word is given"});
+  refused(run("plan ''"), {"an empty word is given", "the name of a file"});
+  refused(run("compare " + example("dock_middle.json") + " --planners ''"), {"--planners", "an empty word is given"});
+  refused(run("compare " + example("dock_middle.json") + " --planners="), {"--planners", "an empty word is given"});
+  refused(run("map " + example("warehouse.yaml") + " -o ''"), {"-o", "an empty word is given"});
+  // A setting that cannot be searched is no map without a way; nothing is left behind.
+  refused(run("plan " + example("grid_tugger.json") + " --set resolution=0.0001 -o fine"), {"grid_tugger.json", "planner.resolution", "coarser resolution", "0, or from about", "1 GiB"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "fine"));
 }
 
 TEST_F(CommandLine, TradeOffsAreProvenPlansOfWhichNoneIsBetterInAll) {
@@ -510,6 +547,17 @@ TEST_F(CommandLine, BadMapsAreOneSentence) {
   refused(with_map("a: &a [x]\nb: &b [*a, *a, *a]\nc: &c [*b, *b, *b]\n", ""), {"m.yaml", "aliases"});
   refused(with_map(std::string(5000, '[') , ""), {"m.yaml", "deeply"});
   refused(with_map("image: [\n", ""), {"m.yaml"});
+  std::ofstream{folder_ / "README.md"} << "# Hello\n";
+  refused(run("map README.md"), {"README.md", "no kind that is read as a map", ".yaml", ".dxf", ".svg", ".xml", ".json"});
+  std::ofstream{folder_ / "broken.json"} << "# Hello\n";
+  refused(run("map broken.json"), {"broken.json", "not valid JSON"});
+}
+
+TEST_F(CommandLine, WhereGrownCellsCoverAllItIsSaid) {
+  const auto all = run("map " + example("warehouse.yaml") + " --trace 0.1 --dilate 1000");
+  EXPECT_EQ(all.status, 0);
+  EXPECT_NE(all.out.find("note: nothing is free any more: what is blocked, grown by 1000 m, covers all 60 x 40 m of the map"), std::string::npos) << all.out;
+  EXPECT_EQ(run("map " + example("warehouse.yaml") + " --trace 0.1 --dilate 0.1").out.find("nothing is free"), std::string::npos);
 }
 
 TEST_F(CommandLine, RepairsAreSaid) {

@@ -241,9 +241,16 @@ TEST(GridPlanner, BacksOutOfAnAisleThatItCannotTurnIn) {
 }
 
 TEST(GridPlanner, TooFineAResolutionIsRefusedWithFigures) {
-  const Plan plan = planned(room(2.0), "astar", {{"resolution", 0.0001}});
-  EXPECT_EQ(plan.status, Status::no_path);
-  EXPECT_NE(plan.reason.find("give a coarser resolution"), std::string::npos) << plan.reason;
+  for (const char* name : {"astar", "dijkstra", "theta_star", "danger_astar", "block_astar", "safe_astar", "wavefront", "harmonic", "clearance_optimal"}) {
+    Scenario s = room(2.0);
+    s.planner = {name, {{"resolution", 0.0001}}};
+    const Problem problem = Problem::prepare(s).value();
+    const auto plan = solve(problem);
+    ASSERT_FALSE(plan) << name << ": that nothing was searched is no answer that there is no path";
+    EXPECT_EQ(plan.error().field, "planner.resolution") << name;
+    EXPECT_NE(plan.error().problem.find("resolution"), std::string::npos) << plan.error().problem;
+    EXPECT_NE(plan.error().allowed.find("0, or "), std::string::npos) << plan.error().allowed;
+  }
 }
 
 TEST(GridPlanner, RefusesANumberOfNeighboursThatThereIsNot) {

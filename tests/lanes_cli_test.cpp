@@ -58,6 +58,80 @@ TEST_F(CommandLine, APlantModelBecomesAScenarioAlongItsLanes) {
   EXPECT_EQ(Json::parse(slurp(folder_ / "v/plan.json"))["status"], "unproven");
 }
 
+TEST_F(CommandLine, AScenarioOfAPlantKeepsToItsLanesUnlessToldOtherwise) {
+  std::ofstream{folder_ / "ring.xml"} << plant;
+  const auto made = run("map ring.xml --scenario s.json --from D --to dock");
+  ASSERT_EQ(made.status, 0) << made.err;
+  // The disc about 0.8 x 0.6 m is 1 m across.
+  EXPECT_NE(made.err.find("nothing is free but strips 1.15 m across along the lanes"), std::string::npos) << made.err;
+  Json scenario = Json::parse(slurp(folder_ / "s.json"));
+  EXPECT_EQ(scenario["name"], "D to dock");
+  EXPECT_EQ(scenario["map"]["source"]["corridor"], 1.15);
+  const auto planned = run("plan s.json -o o");
+  ASSERT_EQ(planned.status, 0) << planned.out << planned.err;
+  EXPECT_NE(planned.out.find("It keeps to the lanes: all of its "), std::string::npos) << planned.out;
+  EXPECT_GT(Json::parse(slurp(folder_ / "o/plan.json"))["metrics"]["length"].get<double>(), 25.0);
+  // What was noted when the scenario was made is not said again.
+  EXPECT_EQ(planned.err.find("note:"), std::string::npos) << planned.err;
+  EXPECT_NE(slurp(folder_ / "o/plan.json").find("4 places, 4 lanes"), std::string::npos);
+
+  // Where all is free around the lanes, the plan says how much of it is off them, and where.
+  ASSERT_EQ(run("map ring.xml --margin 3 --scenario m.json --from D --to dock").status, 0);
+  scenario = Json::parse(slurp(folder_ / "m.json"));
+  EXPECT_EQ(scenario["map"]["source"]["margin"], 3);
+  scenario["zones"] = Json::array();
+  scenario["start"] = {0, 4, 0};
+  scenario["goal"] = {12, 4, 0};
+  std::ofstream{folder_ / "m.json"} << scenario.dump();
+  const auto off = run("plan m.json -o m");
+  ASSERT_EQ(off.status, 0) << off.out << off.err;
+  EXPECT_NE(off.out.find("m of its 12.00 m lie off the lanes, farther than 0.5 m from their middle: 1"), std::string::npos) << off.out;
+  EXPECT_NE(off.out.find("from (0.5"), std::string::npos) << off.out;
+  EXPECT_NE(off.out.find("to (11.5"), std::string::npos) << off.out;
+  // Whatever else stands in meta is nobody's business.
+  for (const char* meta : {R"({"lanes": 3})", R"({"lanes": {"width": 1, "courses": [[[0, 0]], 7, [["a", 1], [2, 3]]]}})", R"({"lanes": {"width": "1", "courses": []}})"}) {
+    scenario["meta"] = Json::parse(meta);
+    std::ofstream{folder_ / "m.json"} << scenario.dump();
+    const auto other = run("plan m.json -o m");
+    EXPECT_EQ(other.status, 0) << other.err;
+    EXPECT_EQ(other.out.find("lanes"), std::string::npos) << other.out;
+  }
+  refused(run("map ring.xml --margin 3 --corridor 2"), {"margin", "does not go with corridor"});
+  refused(run("map " + example("warehouse.yaml") + " --margin 2"), {"no plant model"});
+}
+
+const std::string building = R"(levels:
+  L1:
+    measurements:
+      - [0, 1, {distance: [3, 10]}]
+    vertices:
+      - [0, 0, 0, west]
+      - [100, 0, 0, east]
+      - [0, 100, 0, ""]
+      - [100, 100, 0, ""]
+      - [-20, -20, 0, ""]
+      - [120, -20, 0, ""]
+    lanes:
+      - [0, 1, {bidirectional: [4, true]}]
+    walls:
+      - [4, 5, {}]
+)";
+
+TEST_F(CommandLine, LanesOfABuildingCanBeAllThatIsFree) {
+  std::ofstream{folder_ / "a.building.yaml"} << building;
+  const auto told = run("map a.building.yaml");
+  ASSERT_EQ(told.status, 0) << told.err;
+  const std::size_t first = told.out.find("west (0.000, ");
+  ASSERT_NE(first, std::string::npos) << told.out;
+  EXPECT_EQ(told.out.find("west (0.000, ", first + 1), std::string::npos) << "places stand there once: " << told.out;
+  const auto made = run("map a.building.yaml --corridor 1.5 --scenario s.json --from west --to east --vehicle " + example("vehicles/disc_robot.json"));
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(Json::parse(slurp(folder_ / "s.json"))["map"]["source"]["corridor"], 1.5);
+  const auto planned = run("plan s.json -o o");
+  EXPECT_EQ(planned.status, 0) << planned.out << planned.err;
+  EXPECT_NE(planned.out.find("It keeps to the lanes: all of its 10.00 m lie within 0.75 m of their middle."), std::string::npos) << planned.out;
+}
+
 TEST_F(CommandLine, LanesThatCannotBeScenariosAreRefused) {
   std::ofstream{folder_ / "ring.xml"} << plant;
   refused(run("map ring.xml --scenario s.json --from A"), {"--to", "A, B, C, D"});
@@ -68,7 +142,7 @@ TEST_F(CommandLine, LanesThatCannotBeScenariosAreRefused) {
   refused(run("map ring.xml --scenario ring.xml --from A --to B"), {"--scenario", "would be lost"});
   refused(run("map ring.xml --from A"), {"--scenario"});
   refused(run("map " + example("warehouse.yaml") + " --scenario s.json --from A --to B"), {"no lanes"});
-  refused(run("map " + example("warehouse.yaml") + " --corridor 2"), {"no plant model"});
+  refused(run("map " + example("warehouse.yaml") + " --corridor 2"), {"no lanes"});
   refused(run("map ring.xml --corridor 0.001"), {"corridor", "four cells"});
   refused(run("map ring.xml --vehicle v.json --scenario s.json --from A --to B"), {"v.json"});
 }

@@ -120,6 +120,13 @@ TEST(Moving, WhatStaysInTheWayIsLedAroundAfterItsPatience) {
     EXPECT_NEAR(plan.waits.front().until - plan.waits.front().from, 5.0, 0.3) << planner;
     EXPECT_GT(plan.metrics.length, 12.0);
     EXPECT_TRUE(says(plan, "stays in the way")) << planner;
+    // What is said of the way before it is not said of this one; the detour has its own sentences, and one that holds the two against each other.
+    EXPECT_TRUE(says(plan, "Before what moves was looked at: ")) << planner;
+    EXPECT_TRUE(says(plan, "Of the detour: ")) << planner;
+    EXPECT_TRUE(says(plan, "It leaves the old way after 4.")) << planner;
+    EXPECT_TRUE(says(plan, " m longer (")) << planner;
+    EXPECT_TRUE(says(plan, " m in place of 12.")) << planner;
+    for (const std::string& sentence : plan.explanation) EXPECT_FALSE(sentence.starts_with("It is 12.") || sentence.starts_with("The ")) << sentence;
   }
 }
 
@@ -154,6 +161,52 @@ TEST(Moving, WhereNothingServesItIsSaidWithFigures) {
   expect_sound(near);
   EXPECT_TRUE(says(near, "and cannot stop before"));
   EXPECT_TRUE(says(near, "is kept as it is"));
+}
+
+TEST(Moving, WhatIsAtTheStartOrStaysAtTheGoalIsNamed) {
+  MovingObstacle far = walker({{0.0, {12.0, 2.5, 0.0}}}), cart = walker({{0.0, {0.2, 0.0, 0.0}}});
+  cart.name = "cart";
+  const Plan for_good = planned(straight(6.0, {far, cart}));
+  EXPECT_EQ(for_good.status, Status::start_in_collision);
+  EXPECT_NE(for_good.reason.find("cart (moving obstacle 2) touches the footprint when the plan begins, and stays there for good"), std::string::npos) << for_good.reason;
+  // Without a name, its number; gone when it has moved by 0.3 m.
+  cart.name.clear();
+  cart.track.push_back({3.0, {0.2, 0.0, 0.0}});
+  cart.velocity = {0.0, 1.0};
+  const Plan at_first = planned(straight(6.0, {cart, far}));
+  EXPECT_EQ(at_first.status, Status::start_in_collision);
+  EXPECT_NE(at_first.reason.find("moving obstacle 1 of the scenario's list"), std::string::npos) << at_first.reason;
+  EXPECT_NE(at_first.reason.find("until 3.4"), std::string::npos) << at_first.reason;
+  // Beside it by more than is asked for: no matter.
+  Scenario beside = straight(6.0, {walker({{0.0, {0.0, radius + person + 0.06, 0.0}}})});
+  beside.clearance = 0.05;
+  EXPECT_EQ(planned(beside).status, Status::solved);
+  beside.clearance = 0.07;
+  const Plan near = planned(beside);
+  EXPECT_EQ(near.status, Status::start_in_collision);
+  EXPECT_NE(near.reason.find("nearer to the footprint than the 0.0700 m"), std::string::npos) << near.reason;
+
+  // At the goal from the beginning, and from before the vehicle could be there.
+  const Plan there = planned(straight(6.0, {walker({{0.0, {12.1, 0.0, 0.0}}})}));
+  EXPECT_EQ(there.status, Status::goal_in_collision);
+  EXPECT_NE(there.reason.find("person (moving obstacle 1) touches the footprint from 0.00 s after the start on, for good"), std::string::npos) << there.reason;
+  const Plan sooner = planned(straight(6.0, {walker({{0.0, {12.1, 2.5, 0.0}}, {5.0, {12.1, 0.0, 0.0}}})}));
+  EXPECT_EQ(sooner.status, Status::goal_in_collision);
+  EXPECT_NE(sooner.reason.find("and the vehicle is there after 14.00 s at the soonest"), std::string::npos) << sooner.reason;
+  for (const std::string& sentence : sooner.explanation) EXPECT_EQ(sentence.find("obstacle 0"), std::string::npos) << "no number for what has a name: " << sentence;
+  // When the vehicle has arrived; and for a time: it waits.
+  expect_sound(planned(straight(6.0, {walker({{0.0, {12.1, 2.5, 0.0}}, {30.0, {12.1, 2.5, 0.0}}, {35.0, {12.1, 0.0, 0.0}}})})));
+  const Plan waits = planned(straight(6.0, {walker({{0.0, {12.1, 0.0, 0.0}}, {30.0, {12.1, 0.0, 0.0}}}, {0.0, 1.0})}));
+  expect_sound(waits);
+  EXPECT_EQ(waits.waits.size(), 1U);
+  // What is seen on top of the vehicle while it drives.
+  const Plan old = planned(straight(6.0, {}));
+  SeenObstacles seen;
+  seen.moving = {walker({{0.0, {4.1, 0.0, 0.0}}}, {0.0, 1.0})};
+  seen.moving.front().name.clear();
+  const Plan on_it = replan(old, time_at(old.samples, 4.0), seen).value();
+  EXPECT_EQ(on_it.status, Status::start_in_collision);
+  EXPECT_NE(on_it.reason.find("new moving obstacle 1 (moving obstacle 1) touches"), std::string::npos) << on_it.reason;
 }
 
 TEST(Moving, VerifyHoldsTheTimesOfAFileAgainstWhatMoves) {

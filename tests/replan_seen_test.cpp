@@ -1,6 +1,8 @@
 // What appears while a plan is driven and stands still: kept, mended, planned anew, or an honest no.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cstring>
 
 #include "tests/grid_scenarios.hpp"
@@ -175,6 +177,15 @@ TEST(ReplanSeen, TheBeginningAndTheEndOfALongWayAreKept) {
   const Plan plan = replan(old, 0.0, seen({rectangle({2.0, 0.0}, {2.3, 0.7})})).value();
   expect_sound(plan);
   EXPECT_TRUE(says(plan, "Not taken: ")) ;
+  EXPECT_TRUE(says(plan, "It leaves the old way "));
+  EXPECT_TRUE(says(plan, "joins it again at ("));
+  EXPECT_TRUE(says(plan, fmt::format("({:.2f} m in place of {:.2f} m)", plan.metrics.length, old.metrics.length)));
+  EXPECT_TRUE(says(plan, fmt::format("({:.1f} s in place of {:.1f} s)", plan.metrics.travel_time, old.metrics.travel_time)));
+  for (const std::string& sentence : plan.explanation) {
+    const std::string mark = "Of the new part: ";
+    if (!sentence.starts_with(mark)) continue;
+    EXPECT_FALSE(std::isupper(static_cast<unsigned char>(sentence[mark.size()])) && std::islower(static_cast<unsigned char>(sentence[mark.size() + 1]))) << sentence;
+  }
 }
 
 TEST(ReplanSeen, DockingPlansAreKeptOrPlannedAnewInMotion) {

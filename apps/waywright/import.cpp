@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "lane_words.hpp"
 #include "outputs.hpp"
 #include "waywright/io/plan_io.hpp"
+#include "waywright/planner/moving_ends.hpp"
+#include "waywright/planner/solve_words.hpp"
 #include "waywright/report/report.hpp"
 #include "waywright/report/words.hpp"
 
@@ -23,6 +26,15 @@ int import(const ImportArguments& arguments) {
       arguments.out.value_or(default_folder(problem.scenario().name + "-import"));
   if (auto ready = prepare_folder(folder); !ready) return complain(ready.error());
   Plan plan = judge_imported(problem, std::move(*path), std::move(speeds));
+  if (plan.status == Status::unproven) {
+    if (const auto ends = moving_at_ends(problem)) {
+      plan.status = ends->status;
+      plan.reason = ends->reason;
+    }
+  }
+  explain_driven(problem, plan, plan.explanation);
+  if (plan.status == Status::solved) plan.explanation.push_back(proof_sentence(problem, plan));
+  tell_of_lanes(plan);
   plan.timing.load = loaded->load;
   plan.timing.prepare = loaded->prepare;
   note_all(of_poses, {});

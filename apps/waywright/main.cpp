@@ -134,7 +134,8 @@ int run(int argc, char** argv) {
   map_command->add_option("--overlay", map_arguments.overlay, "a map (ROS yaml, map.json, DXF) drawn in the same picture, as it lies in the world");
   map_command->add_option("--overlay-unit", map_arguments.overlay_unit, "of a DXF that --overlay names: mm, cm, m, in, ft (default: as the drawing says)");
   map_command->add_option("--picture", map_arguments.picture, "FILE.svg to write: the map, and what --overlay names");
-  map_command->add_option("--corridor", lane_arguments.corridor, "METRES, of an openTCS plant model: strips so wide along its lanes are all that is free (default: all is, up to 5 m around it)");
+  map_command->add_option("--corridor", lane_arguments.corridor, "METRES: strips so wide along the lanes of a plant model or building are all that is free (default: with --scenario of a plant model as wide as the vehicle needs to turn)");
+  map_command->add_option("--margin", lane_arguments.margin, "METRES, of an openTCS plant model, which has no walls: all is free so far around its places and lanes (default without --scenario: 5)");
   map_command->add_option("--scenario", lane_arguments.scenario, "scenario.json to write: from the place --from to the place --to of the map's lanes, with one-way lanes and speeds as zones");
   const std::vector<CLI::Option*> of_scenarios{
       map_command->add_option("--from", lane_arguments.from, "with --scenario: name of a place, or of a station"),
@@ -175,6 +176,15 @@ int run(int argc, char** argv) {
     command->callback([&status, later] {
       status = complain({"", std::string{"command "} + later, "it is not supported yet", "plan, replan, verify, controls, import, compare, check, pareto, reproduce, list, map, generate"});
     });
+  }
+
+  // No option and no place of a file takes an empty word: mostly a variable of a script that is not set.
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i], before = i > 1 ? argv[i - 1] : "";
+    const bool is_bare = word.starts_with("--") && word.ends_with('=');
+    if (!word.empty() && !is_bare) continue;
+    const std::string option{is_bare ? word.substr(0, word.size() - 1) : before.starts_with('-') ? before : std::string_view{"command line"}};
+    return complain({"", option, "an empty word is given", option == "command line" ? "the name of a file" : "a value, or the option left out"});
   }
 
   try {

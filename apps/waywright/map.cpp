@@ -173,7 +173,19 @@ int map(const MapArguments& arguments, const LaneArguments& about_lanes) {
   dxf::Options drawing = arguments.drawing;
   drawing.obstacle_layers = names_from(arguments.obstacle_layers);
   std::string record;
-  auto whole = read_lane_map(arguments.file, pairs, about_lanes.corridor, &record, drawing, arguments.cells);
+  std::vector<std::string> doubts;
+  FreeAlongLanes lanes_free{about_lanes.corridor, about_lanes.margin};
+  auto whole = read_lane_map(arguments.file, pairs, lanes_free, &record, drawing, arguments.cells);
+  if (whole && is_named(arguments.file, ".xml") && !whole->lanes.empty() && about_lanes.scenario && !lanes_free.corridor && !lanes_free.margin) {
+    // Of a plant model, which has no walls, a scenario is one on its lanes.
+    std::vector<std::string> told_later;
+    const auto vehicle = vehicle_on_lanes(arguments.file, about_lanes, whole->lanes, told_later);
+    if (!vehicle) return complain(vehicle.error());
+    lanes_free.corridor = corridor_for(*vehicle);
+    doubts.push_back(fmt::format("nothing is free but strips {:g} m across along the lanes, in which the vehicle has room to turn: --corridor METRES makes others, --margin METRES frees all that far around", *lanes_free.corridor));
+    record.clear();
+    whole = read_lane_map(arguments.file, pairs, lanes_free, &record, drawing, arguments.cells);
+  }
   if (!whole) return complain(whole.error());
   Map* const map = &whole->map;
   if (const auto doubt = alignment_doubt(*map, pairs)) note_all({}, {*doubt});
@@ -195,8 +207,9 @@ int map(const MapArguments& arguments, const LaneArguments& about_lanes) {
   if (arguments.out) files.push_back({*arguments.out, map_json(*map)});
   if (arguments.picture) files.push_back({*arguments.picture, picture_of(arguments, *map, below, pairs, whole->lanes)});
   if (about_lanes.scenario) {
-    std::vector<std::string> doubts;
-    const auto scenario = scenario_along_lanes(arguments.file, about_lanes, whole->lanes, *map, record, doubts);
+    LaneArguments along = about_lanes;
+    along.corridor = lanes_free.corridor;
+    const auto scenario = scenario_along_lanes(arguments.file, along, whole->lanes, *map, record, doubts);
     if (!scenario) return complain(scenario.error());
     note_all({}, doubts);
     files.push_back({*about_lanes.scenario, scenario_json(*scenario)});

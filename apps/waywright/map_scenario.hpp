@@ -12,6 +12,7 @@ namespace waywright::app {
 /// What `map` takes beside its other arguments where a file has lanes.
 struct LaneArguments {
   std::optional<double> corridor;                 ///< m
+  std::optional<double> margin;                   ///< m
   std::optional<std::filesystem::path> scenario;  ///< to write: between two places
   std::string from, to;                           ///< names of them
   std::optional<std::filesystem::path> vehicle;   ///< that drives there
@@ -19,6 +20,11 @@ struct LaneArguments {
   std::optional<double> prefer;                   ///< what a metre on a lane costs
 };
 int map(const MapArguments& arguments, const LaneArguments& about_lanes);
+
+/// The vehicle that is named, else the model's first with a size, as `doubts` is told.
+Parsed<Vehicle> vehicle_on_lanes(const std::filesystem::path& file, const LaneArguments& arguments, const LaneGraph& graph, std::vector<std::string>& doubts);
+/// m: the width of strips along lanes in which a vehicle has room to turn.
+double corridor_for(const Vehicle& vehicle);
 
 /// From the place --from to the place --to: heading as a place asks for it, else along the lanes of the shortest route, which `meta` tells; one-way lanes, speeds and
 /// preferences as zones. `doubts` receives what a user should know of it.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "lane_words.hpp"
 #include "outputs.hpp"
 #include "waywright/io/plan_io.hpp"
 #include "waywright/planner/registry.hpp"
@@ -104,6 +105,8 @@ int plan(const PlanArguments& arguments) {
   const std::string& name = planning->scenario().name;
   const std::filesystem::path folder = arguments.out.value_or(default_folder(name.empty() ? arguments.scenario.stem().string() : name));
   const bool write = !arguments.json || arguments.out;
+  std::error_code unknown;
+  const bool was_there = std::filesystem::exists(folder, unknown) || unknown;
   if (write) {
     if (auto made = prepare_folder(folder); !made) return complain(made.error());
   }
@@ -114,10 +117,12 @@ int plan(const PlanArguments& arguments) {
   if (!plan) {
     InputError error = plan.error();
     error.file = arguments.scenario.string();
+    if (write && !was_there) std::filesystem::remove(folder, unknown);  // nothing is in it
     return complain(error);
   }
   plan->timing.load = planning->load();
   if (planning->one) plan->timing.prepare += planning->one->prepare;
+  tell_of_lanes(*plan);
   note_all(plan->scenario.map.notes, warnings(*plan));
   if (write) {
     if (auto written = planning->write(folder, *plan); !written) return complain(written.error());

@@ -2,15 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "lane_words.hpp"
 #include "numbers.hpp"
 #include "outputs.hpp"
 #include "waywright/io/obstacles_io.hpp"
 #include "waywright/io/plan_io.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/judge/judge.hpp"
+#include "waywright/map/world.hpp"
 #include "waywright/planner/replan_seen.hpp"
 #include "waywright/planner/rest_of_plan.hpp"
 #include "waywright/report/report.hpp"
@@ -145,6 +149,7 @@ int replan(const ReplanArguments& arguments) {
   if (!plan) return complain_of(plan.error(), "");
   plan->explanation.insert(plan->explanation.begin(),
                            situation_sentence(*at, now));
+  tell_of_lanes(*plan);
   note_all({}, warnings(*plan));
   if (write) {
     if (auto written = write_plan(folder, *problem, *plan); !written) return complain(written.error());
@@ -155,6 +160,42 @@ int replan(const ReplanArguments& arguments) {
 }
 
 namespace {
+
+/// What lies so far off all that the old plan knows that nobody can have seen it there: mostly another frame or unit.
+std::vector<std::string> far_off(const Plan& old, const SeenObstacles& seen) {
+  World world{old.scenario.map};
+  world.build();
+  std::vector<Vec2> known;
+  for (const Sample& s : old.samples) known.push_back(s.pose().position());
+  if (!world.empty()) {
+    known.push_back(world.bounds().low);
+    known.push_back(world.bounds().high);
+  }
+  const Box box = bounding_box(known);
+  const double room = 2.0 * old.scenario.vehicle.footprint.radius() + 1.0;  // m
+  const auto is_off = [&](const Box& b) { return b.low.x > box.high.x + room || b.high.x < box.low.x - room || b.low.y > box.high.y + room || b.high.y < box.low.y - room; };
+  std::vector<std::string> notes;
+  const auto tell = [&](const std::string& what, Vec2 at) {
+    notes.push_back(fmt::format("{} at ({:.2f}, {:.2f}) lies off the map, which reaches from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}): another frame or unit?", what, at.x, at.y, box.low.x, box.low.y, box.high.x, box.high.y));
+  };
+  const auto tell_all = [&](const auto& all, const char* what, const auto& points_of) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Box of_one = bounding_box(points_of(all[i]));
+      if (is_off(of_one)) tell(fmt::format("new {} {}", what, i + 1), 0.5 * (of_one.low + of_one.high));
+    }
+  };
+  tell_all(seen.still.obstacles, "obstacle", [](const Ring& ring) { return ring; });
+  tell_all(seen.still.lines, "line", [](const Polyline& line) { return line; });
+  std::size_t points = 0;
+  for (const Vec2 p : seen.still.points) points += is_off({p, p}) ? 1 : 0;
+  if (points > 0) tell(fmt::format("of the new points {}, the first of them", points), *std::find_if(seen.still.points.begin(), seen.still.points.end(), [&](Vec2 p) { return is_off({p, p}); }));
+  for (std::size_t i = 0; i < seen.moving.size(); ++i) {
+    std::vector<Vec2> track;
+    for (const MovingObstacle::Place& place : seen.moving[i].track) track.push_back(place.pose.position());
+    if (norm(seen.moving[i].velocity) == 0.0 && is_off(bounding_box(track))) tell(seen.moving[i].name.empty() ? fmt::format("new moving obstacle {}", i + 1) : one_line(seen.moving[i].name), track.front());
+  }
+  return notes;
+}
 
 int replan_among_seen(const ReplanArguments& arguments) {
   for (const auto& [option, given] : {std::pair{"--shelf", arguments.shelf.has_value()}, {"--goal", arguments.goal.has_value()}, {"--pose", arguments.pose.has_value()}}) {
@@ -194,7 +235,9 @@ int replan_among_seen(const ReplanArguments& arguments) {
   if (!problem) return complain_of(problem.error());
   plan->explanation.insert(plan->explanation.begin(), now.is_turning ? fmt::format("After {:g} s the vehicle has driven {:.2f} m of the old plan and turns on the spot; it begins to stand there.", *at, now.driven) : situation_sentence(*at, now));
   const std::filesystem::path folder = arguments.out.value_or(default_folder(plan->scenario.name));
-  note_all(seen->still.notes, warnings(*plan));
+  tell_of_lanes(*plan);
+  note_all(seen->still.notes, far_off(*old, *seen));
+  note_all({}, warnings(*plan));
   if (!arguments.json || arguments.out) {
     if (auto ready = prepare_folder(folder); !ready) return complain(ready.error());
     if (auto written = write_plan(folder, *problem, *plan); !written) return complain(written.error());

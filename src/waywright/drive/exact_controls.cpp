@@ -6,6 +6,16 @@
 
 namespace waywright {
 
+namespace {
+
+/// s, that the steered wheel needs for what it turns by in a stretch.
+double time_to_steer(const PlanMotion& motion, const Stretch& stretch, const Tricycle* tricycle) {
+  if (tricycle == nullptr || !tricycle->max_steering_rate) return 0.0;
+  return std::abs(motion.at(stretch, stretch.duration).steering - motion.at(stretch, 0.0).steering) / *tricycle->max_steering_rate;
+}
+
+}  // namespace
+
 EndError end_error(const Pose& end, const Pose& wanted) { return {distance(end.position(), wanted.position()), std::abs(shorter_turn(end.heading, wanted.heading))}; }
 
 std::vector<WheelColumn> wheel_columns(const Drive& drive) {
@@ -39,14 +49,24 @@ ExactControls exact_controls(const Plan& plan, double period) {
   controls.plan_time = plan.samples.back().t;
   Pose pose = plan.samples.front().pose(), midpoint = pose;
   std::size_t periods = 0;
+  double planned = 0.0;  // s, when the plan has the stretch begin
   double steering = 0.0;
   for (const Stretch& stretch : motion.stretches()) {
     if (!controls.rows.empty()) ++controls.stands;
+    // What stands before were rounded up by is taken off a wait, as far as the steered wheel has time to turn: waits end when the plan has them end, or less than a period later.
+    double duration = stretch.duration;
+    if (stretch.kind == Stretch::Kind::wait) {
+      const double late = static_cast<double>(periods) * period - planned;
+      duration = std::max(duration - late, std::min(duration, time_to_steer(motion, stretch, tricycle)));
+    }
+    planned += stretch.duration;
     // A multiple of the period but for rounding is that.
-    const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(stretch.duration / period - 1e-9)));
+    const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(duration / period - 1e-9)));
     Moment from = motion.at(stretch, 0.0);
     for (std::size_t k = 0; k < count; ++k) {
-      const Moment to = motion.at(stretch, k + 1 == count ? stretch.duration : static_cast<double>(k + 1) * period);
+      const double share = static_cast<double>(k + 1) / static_cast<double>(count);
+      const double time = stretch.kind == Stretch::Kind::wait ? share * stretch.duration : static_cast<double>(k + 1) * period;
+      const Moment to = motion.at(stretch, k + 1 == count ? stretch.duration : time);
       const double way = stretch.direction * (to.s - from.s), turn = to.heading - from.heading;
       ControlRow row{static_cast<double>(periods++) * period, {way / period, 0.0, turn / period}, from.steering, pose};
       if (any_way && stretch.kind == Stretch::Kind::drive) {

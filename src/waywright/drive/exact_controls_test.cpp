@@ -140,6 +140,38 @@ TEST(ExactControls, TheWheelsAloneArriveWithinTheLimits) {
   }
 }
 
+// Nine turns on the spot, each rounded up to a whole period; then something crosses, and the commands go on when the plan does.
+TEST(ExactControls, WaitsEndWhenThePlanHasThemEnd) {
+  std::vector<Vec2> corners{{0, 0}};
+  for (int i = 1; i <= 10; ++i) corners.push_back({0.5 * i, i % 2 == 0 ? 0.0 : 0.3});
+  corners.push_back({12, 0.0});
+  const Path path = polyline(corners);
+  Scenario scenario = scenario_of(trolley(), path);
+  MovingObstacle crossing;
+  crossing.footprint = {{}, 0.3};
+  crossing.track = {{0.0, {9.0, 0.0, 0.0}}, {70.0, {9.0, 0.0, 0.0}}};
+  crossing.velocity = {0.0, 1.0};
+  scenario.moving = {crossing};
+  const Plan plan = judge(Problem::prepare(scenario).value(), path);
+  ASSERT_EQ(plan.status, Status::solved) << plan.reason;
+  ASSERT_EQ(plan.waits.size(), 1U);
+  const Wait& wait = plan.waits.front();
+  for (const double period : {0.3, 0.2, 0.05}) {
+    const ExactControls c = exact_controls(plan, period);
+    double driven = 0.0, leaves = -1.0;
+    for (const ControlRow& row : c.rows) {
+      if (driven > wait.s - 1e-6 && row.twist.forward > 0.0) {
+        leaves = row.t;
+        break;
+      }
+      driven += row.twist.forward * period;
+    }
+    EXPECT_GE(leaves, wait.until - 1e-9) << period << ": never sooner";
+    EXPECT_LT(leaves, wait.until + period) << period;
+    EXPECT_LT(c.end.position, 0.05);
+  }
+}
+
 TEST(ExactControls, AMecanumBaseDrivesSideways) {
   const Plan plan = sideways_plan();
   const ExactControls c = exact_controls(plan, 0.05);

@@ -74,7 +74,11 @@ void add_crossings(const Ring& ring, Vec2 from, Vec2 to, std::vector<double>& sh
     const Vec2 a = ring[i], edge = ring[(i + 1) % ring.size()] - a;
     const double across = cross(way, edge);
     if (across == 0.0) continue;  // beside each other: the edges at its ends are crossed
-    const double on_edge = cross(a - from, way) / across;
+    const double along = cross(a - from, way);
+    // Mostly it is far from the edge, which needs no division to be known.
+    constexpr double clearly = 2.0 * beyond;
+    if (across > 0.0 ? along < -clearly * across || along > (1.0 + clearly) * across : along > -clearly * across || along < (1.0 + clearly) * across) continue;
+    const double on_edge = along / across;
     if (!(on_edge >= -beyond && on_edge <= 1.0 + beyond)) continue;
     const double share = cross(a - from, edge) / across;
     if (share > 0.0 && share < 1.0) shares.push_back(share);

@@ -18,9 +18,13 @@ struct LaneMap {
   LaneGraph lanes;  ///< empty where the file has none
 };
 
-/// As read_map, with the lanes of an Open-RMF building or an openTCS plant model, placed as the map is. `corridor`, m: of a plant model, strips so wide along its lanes are
-/// all that is free.
-Parsed<LaneMap> read_lane_map(const std::filesystem::path& file, const std::vector<std::pair<Vec2, Vec2>>& align = {}, std::optional<double> corridor = std::nullopt,
-                              std::string* record = nullptr, const dxf::Options& drawing = {}, const CellMapOptions& cells = {});
+/// What is free by the lanes. At most one of the two.
+struct FreeAlongLanes {
+  std::optional<double> corridor{};  ///< m, > 0: nothing but strips so wide along them, beside which walls of a building stay walls
+  std::optional<double> margin{};    ///< m, > 0, of a plant model, which has no walls: all that far around them
+};
+
+/// As read_map, with the lanes of an Open-RMF building or an openTCS plant model, placed as the map is.
+Parsed<LaneMap> read_lane_map(const std::filesystem::path& file, const std::vector<std::pair<Vec2, Vec2>>& align = {}, const FreeAlongLanes& lanes_free = {}, std::string* record = nullptr, const dxf::Options& drawing = {}, const CellMapOptions& cells = {});
 
 }  // namespace waywright

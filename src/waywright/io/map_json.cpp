@@ -31,7 +31,7 @@ bool is_dxf(const fs::path& file) { return has_extension(file, ".dxf"); }
 
 namespace {
 
-Parsed<Map> read_any(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, const dxf::Options& drawing, std::string* record, const CellMapOptions& cells, std::optional<double> corridor, LaneGraph* lanes) {
+Parsed<Map> read_any(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, const dxf::Options& drawing, std::string* record, const CellMapOptions& cells, const FreeAlongLanes& lanes_free, LaneGraph* lanes) {
   const auto refuse = [&](const char* problem, const char* allowed) {
     return tl::unexpected{InputError{file.string(), "", problem, allowed}};
   };
@@ -46,7 +46,8 @@ Parsed<Map> read_any(const fs::path& file, const std::vector<std::pair<Vec2, Vec
   const bool is_movingai = extension == ".map";
   const bool is_svg = has_extension(file, ".svg");
   const bool is_plant = has_extension(file, ".xml");
-  if (!is_plant && corridor) return refuse("it is no plant model, and lanes are not all that is free", "no corridor");
+  if (!is_plant && !is_building && lanes_free.corridor) return refuse("it has no lanes that could be all that is free", "--corridor with an openTCS plant model (.xml) or an Open-RMF building (.building.yaml)");
+  if (!is_plant && lanes_free.margin) return refuse("it is no plant model: what is free is drawn in it", "--margin with an openTCS plant model (.xml)");
   Json named{{yaml ? "ros" : is_picture ? "image" : is_svg ? "svg" : is_plant ? "opentcs" : is_building ? "rmf" : is_drawing ? "dxf" : is_movingai ? "movingai" : "polygons", file.filename().string()}};
   if (is_movingai) named["cell"] = 1.0;  // the format has no scale
   if (is_picture) named["resolution"] = *cells.resolution;
@@ -57,7 +58,7 @@ Parsed<Map> read_any(const fs::path& file, const std::vector<std::pair<Vec2, Vec
     named["tolerance"] = drawing.tolerance;
     named["closing"] = drawing.closing;
   }
-  for (const auto& [field, value] : {std::pair{"corridor", corridor}, std::pair{"trace", cells.trace}, std::pair{"trace_relative", cells.trace_relative}, std::pair{"dilate", cells.dilate}}) {
+  for (const auto& [field, value] : {std::pair{"corridor", lanes_free.corridor}, std::pair{"margin", lanes_free.margin}, std::pair{"trace", cells.trace}, std::pair{"trace_relative", cells.trace_relative}, std::pair{"dilate", cells.dilate}}) {
     if (value) named[field] = *value;
   }
   for (const auto& [from, to] : align) named["align"].push_back(Json::array({to_json(from), to_json(to)}));
@@ -67,6 +68,10 @@ Parsed<Map> read_any(const fs::path& file, const std::vector<std::pair<Vec2, Vec
   if (record != nullptr) *record = source.dump(-1, ' ', false, Json::error_handler_t::replace);
   if (!context.error) return map;
   InputError error = *context.error;
+  const bool is_map_json = !yaml && !is_picture && !is_svg && !is_plant && !is_building && !is_drawing && !is_movingai;
+  if (is_map_json && !has_extension(file, ".json") && error.problem.starts_with("not valid JSON")) {
+    return refuse("it is of no kind that is read as a map", "a ROS map or an Open-RMF building (.yaml, .building.yaml), a picture (.png, .pgm), a map.json (.json), a floor plan (.dxf), a drawing (.svg), a MovingAI map (.map), an openTCS plant model (.xml)");
+  }
   if (error.field == "ros" || error.field == "polygons" || error.field == "dxf" || error.field == "movingai" || error.field == "image" || error.field == "svg" || error.field == "rmf" || error.field == "opentcs") error.field.clear();  // of the object made here, which names the file itself
   else if (error.file.empty()) error.file = file.string();
   return tl::unexpected{error};
@@ -75,12 +80,12 @@ Parsed<Map> read_any(const fs::path& file, const std::vector<std::pair<Vec2, Vec
 }  // namespace
 
 Parsed<Map> read_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, const dxf::Options& drawing, std::string* record, const CellMapOptions& cells) {
-  return read_any(file, align, drawing, record, cells, std::nullopt, nullptr);
+  return read_any(file, align, drawing, record, cells, {}, nullptr);
 }
 
-Parsed<LaneMap> read_lane_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, std::optional<double> corridor, std::string* record, const dxf::Options& drawing, const CellMapOptions& cells) {
+Parsed<LaneMap> read_lane_map(const fs::path& file, const std::vector<std::pair<Vec2, Vec2>>& align, const FreeAlongLanes& lanes_free, std::string* record, const dxf::Options& drawing, const CellMapOptions& cells) {
   LaneMap read;
-  auto map = read_any(file, align, drawing, record, cells, corridor, &read.lanes);
+  auto map = read_any(file, align, drawing, record, cells, lanes_free, &read.lanes);
   if (!map) return tl::unexpected{map.error()};
   read.map = std::move(*map);
   return read;

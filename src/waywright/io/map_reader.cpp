@@ -2,27 +2,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
-#include "waywright/dxf/floor_plan.hpp"
 #include "waywright/io/files.hpp"
 #include "waywright/io/map_align.hpp"
 #include "waywright/io/map_io.hpp"
 #include "waywright/io/map_json.hpp"
+#include "waywright/io/map_kinds.hpp"
 #include "waywright/io/map_parts.hpp"
-#include "waywright/io/opentcs_map.hpp"
-#include "waywright/io/rmf_map.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/io/scenario_json.hpp"
-#include "waywright/io/svg_map.hpp"
 #include "waywright/io/vehicle_io.hpp"
 #include "waywright/map/lane_graph.hpp"
-#include "waywright/map/published_maps.hpp"
 #include "waywright/map/trace.hpp"
-#include "waywright/map/field_worlds.hpp"
-#include "waywright/map/whale_maps.hpp"
 
 namespace waywright {
 namespace {
@@ -34,28 +30,11 @@ constexpr int most_files = 256;
 constexpr int most_overlays_deep = 8;
 constexpr std::size_t deepest_source = 24;      // levels of a record that is carried along
 constexpr double largest_raw_coordinate = 1e9;  // m, before a transform: national grids have large ones
-constexpr std::uint64_t largest_drawing = 1ULL << 30;  // bytes
-constexpr std::uint64_t largest_building = 16ULL << 20;  // bytes
-constexpr std::uint64_t largest_plant = 64ULL << 20;   // bytes
-constexpr double usual_margin = 5.0;            // m around a plant model, which has no walls
-constexpr std::uint64_t largest_svg = 64ULL << 20;     // bytes
 constexpr double largest_record = 1e12;         // m, of a transform that was made of several
 
 /// A loading error that speaks of its own file.
 void take_over(const Node& node, InputError error) {
   if (!node.failed()) node.context().error = std::move(error);
-}
-
-void append(Map& map, Map more) {
-  const auto move_all = [](auto& to, auto& from) {
-    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
-  };
-  move_all(map.boundaries, more.boundaries);
-  move_all(map.obstacles, more.obstacles);
-  move_all(map.lines, more.lines);
-  move_all(map.points, more.points);
-  move_all(map.grids, more.grids);
-  move_all(map.notes, more.notes);
 }
 
 std::optional<Vec2> point_beyond_limits(const Map& map, const LaneGraph& lanes) {
@@ -83,6 +62,16 @@ std::optional<Vec2> point_beyond_limits(const Map& map, const LaneGraph& lanes) 
   return std::nullopt;
 }
 
+/// By the field that names the file; polygons and cells stand in the object itself.
+constexpr std::array<std::pair<const char*, void (*)(const MapBeingRead&, Json&)>, 8> readers{{{"ros", read_ros},
+                                                                                             {"image", read_image},
+                                                                                             {"dxf", read_dxf},
+                                                                                             {"movingai", read_movingai},
+                                                                                             {"generate", read_generated},
+                                                                                             {"svg", read_svg},
+                                                                                             {"rmf", read_rmf},
+                                                                                             {"opentcs",read_opentcs}}};
+
 /// Reads one `map` object.
 class MapReader {
  public:
@@ -100,22 +89,9 @@ class MapReader {
     const std::size_t known_notes = map_.notes.size();
     most_ = node_.has("transform") || node_.has("align") ? largest_raw_coordinate : largest_coordinate;
 
-    if (kind_ == "ros")
-      read_ros(source);
-    else if (kind_ == "image")
-      read_image(source);
-    else if (kind_ == "dxf")
-      read_dxf(source);
-    else if (kind_ == "movingai")
-      read_movingai(source);
-    else if (kind_ == "generate")
-      read_generated(source);
-    else if (kind_ == "svg")
-      read_svg(source);
-    else if (kind_ == "rmf")
-      read_rmf(source);
-    else if (kind_ == "opentcs")
-      read_opentcs(source);
+    const MapBeingRead m{node_, folder_, most_, map_, lanes_};
+    const auto* kind = std::find_if(readers.begin(), readers.end(), [&](const auto& k) { return kind_ == k.first; });
+    if (kind != readers.end()) kind->second(m, source);
     else
       read_inlined(source);
     if (!node_.failed()) trace_cells(source);
@@ -147,7 +123,7 @@ class MapReader {
       return false;
     }
     int kinds = 0;
-    for (const char* kind : {"ros", "image", "dxf", "movingai", "generate", "svg", "rmf", "opentcs"}) {
+    for (const auto& [kind, reader] : readers) {
       if (!node_.has(kind)) continue;
       ++kinds;
       kind_ = kind;
@@ -162,8 +138,9 @@ class MapReader {
       return false;
     }
     if (kind_ != "dxf" && !has_none_of({"unit", "obstacle_layers", "boundary_layer", "tolerance", "closing"})) return false;
-    if (kind_ != "movingai" && kind_ != "opentcs" && !has_none_of({"cell"})) return false;
-    if (kind_ != "opentcs" && !has_none_of({"corridor", "margin"})) return false;
+    if (kind_ != "movingai" && kind_ != "opentcs" && kind_ != "rmf" && !has_none_of({"cell"})) return false;
+    if (kind_ != "opentcs" && kind_ != "rmf" && !has_none_of({"corridor"})) return false;
+    if (kind_ != "opentcs" && !has_none_of({"margin"})) return false;
     if (kind_ != "svg" && !has_none_of({"scale"})) return false;
     if (kind_ != "rmf" && !has_none_of({"level"})) return false;
     if (kind_ == "movingai" || kind_ == "generate" || kind_ == "svg" || kind_ == "rmf" || kind_ == "opentcs") return has_none_of({"resolution", "origin", "occupied_below", "unknown_is_free", "source", "notes", "alignment"});
@@ -195,131 +172,6 @@ class MapReader {
     return !node_.failed();
   }
 
-  void read_ros(Json& source) {
-    const std::string name = node_.at("ros").file_name();
-    const bool unknown_is_free = node_.has("unknown_is_free") && node_.at("unknown_is_free").boolean();
-    if (node_.failed() || !count_file()) return;
-    source["file"] = name;
-    if (node_.has("unknown_is_free")) source["unknown_is_free"] = unknown_is_free;
-    take_grid(node_.at("ros"), load_ros_map(folder_ / name, unknown_is_free), source);
-  }
-
-  void read_image(Json& source) {
-    const std::string name = node_.at("image").file_name();
-    const double resolution = node_.at("resolution").number_above(0.0, 1e3);
-    const Pose origin = node_.has("origin") ? node_.at("origin").pose(most_) : Pose{};
-    const double below = node_.has("occupied_below") ? node_.at("occupied_below").number(0.0, 1.0) : 0.5;
-    if (node_.failed() || !count_file()) return;
-    source["file"] = name;
-    source["resolution"] = resolution;
-    source["origin"] = to_json(origin);
-    source["occupied_below"] = below;
-    take_grid(node_.at("image"), load_image_map(folder_ / name, resolution, origin, below), source);
-  }
-
-  /// Cells and polygons are inlined in plans, so that no plan depends on what a later version would make.
-  void read_generated(Json& source) {
-    const Node node = node_.at("generate");
-    const std::string name = node.text();
-    if (node.failed()) return;
-    if (auto hall = whale_map(name)) {
-      source["name"] = name;
-      append(map_, std::move(hall->map));
-      return;
-    }
-    if (auto world = field_world(name)) {
-      source["name"] = name;
-      append(map_, std::move(world->map));
-      return;
-    }
-    auto made = published_map(name);
-    if (!made) {
-      std::string names;
-      for (const auto* all : {&published_map_names(), &whale_map_names(), &field_world_names()}) {
-        for (const std::string& n : *all) names += (names.empty() ? "" : ", ") + n;
-      }
-      return node.fail(fmt::format("\"{}\" is not known", shortened(name)), names);
-    }
-    if (!count_cells(node_, made->grid.columns, made->grid.rows)) return;
-    source["name"] = name;
-    map_.grids.push_back(std::move(made->grid));
-  }
-
-  void read_movingai(Json& source) {
-    const std::string name = node_.at("movingai").file_name();
-    const double cell = node_.at("cell").number_above(0.0, 1e3);
-    if (node_.failed() || !count_file()) return;
-    source["file"] = name;
-    source["cell"] = cell;
-    take_grid(node_.at("movingai"), load_movingai_map(folder_ / name, cell), source);
-  }
-
-  void read_svg(Json& source) {
-    const std::string name = node_.at("svg").file_name();
-    const double scale = node_.has("scale") ? node_.at("scale").number_above(0.0, 1e6) : 1.0;
-    if (node_.failed() || !count_file()) return;
-    auto text = read_file(folder_ / name, largest_svg);
-    if (!text) return fail_by_file(node_.at("svg"), text.error());
-    auto drawing = decode_svg_map(*text, (folder_ / name).string(), scale);
-    if (!drawing) return fail_by_file(node_.at("svg"), drawing.error());
-    source["file"] = name;
-    source["scale"] = scale;
-    add_file(source, fs::path{name}.filename().string(), sha256(*text));
-    append(map_, std::move(*drawing));
-  }
-
-  void read_rmf(Json& source) {
-    const std::string name = node_.at("rmf").file_name();
-    const std::string level = node_.has("level") ? node_.at("level").text() : std::string{};
-    if (node_.failed() || !count_file()) return;
-    auto text = read_file(folder_ / name, largest_building);
-    if (!text) return fail_by_file(node_.at("rmf"), text.error());
-    auto walls = decode_rmf_map(*text, (folder_ / name).string(), level, &lanes_);
-    if (!walls) return fail_by_file(node_.at("rmf"), walls.error());
-    source["file"] = name;
-    if (!level.empty()) source["level"] = level;
-    add_file(source, fs::path{name}.filename().string(), sha256(*text));
-    append(map_, std::move(*walls));
-  }
-
-  /// A plant model knows no obstacles: what is free is said beside it.
-  void read_opentcs(Json& source) {
-    const std::string name = node_.at("opentcs").file_name();
-    const bool has_corridor = node_.has("corridor"), has_margin = node_.has("margin");
-    const double corridor = has_corridor ? node_.at("corridor").number_above(0.0, 1e3) : 0.0;
-    const double margin = has_margin ? node_.at("margin").number_above(0.0, 1e5) : usual_margin;
-    if (has_corridor && has_margin) node_.at("margin").fail("it does not go with corridor, which says all that is free", "one of them");
-    if (node_.has("cell") && !has_corridor) node_.at("cell").fail("it goes with corridor alone", "corridor beside it");
-    const double given_cell = node_.has("cell") ? node_.at("cell").number_above(0.0, 1e3) : 0.0;
-    if (node_.failed() || !count_file()) return;
-    auto text = read_file(folder_ / name, largest_plant);
-    if (!text) return fail_by_file(node_.at("opentcs"), text.error());
-    auto plant = decode_opentcs_map(*text, (folder_ / name).string());
-    if (!plant) return fail_by_file(node_.at("opentcs"), plant.error());
-    std::vector<std::string>& notes = map_.notes;
-    notes.insert(notes.end(), plant->notes.begin(), plant->notes.end());
-    const std::string short_name = fs::path{name}.filename().string();
-    source["file"] = name;
-    if (has_corridor) {
-      const double cell = given_cell > 0.0 ? given_cell : corridor_cell(plant->lanes, corridor);
-      auto grid = lane_corridors(plant->lanes, corridor, cell);
-      if (!grid) return node_.at("corridor").fail(grid.error().problem, grid.error().allowed);
-      if (!count_cells(node_, grid->columns, grid->rows)) return;
-      grid->name = short_name;
-      notes.push_back(fmt::format("nothing is free but strips {:g} m across along the lanes, as cells of {:g} m", corridor, cell));
-      map_.grids.push_back(std::move(*grid));
-      source["corridor"] = corridor;
-      source["cell"] = cell;
-    } else {
-      const Box box = bounding_box(plant->lanes);
-      map_.boundaries.push_back(rectangle(box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}));
-      notes.push_back(fmt::format("a plant model has no walls: all is free up to {:g} m around its places and lanes (margin); corridor makes strips along the lanes all that is free", margin));
-      source["margin"] = margin;
-    }
-    add_file(source, short_name, sha256(*text));
-    append(lanes_, std::move(plant->lanes));
-  }
-
   /// Polygons in place of the cells, in the map's own frame.
   void trace_cells(Json& source) {
     if (!node_.has("trace")) {
@@ -339,6 +191,10 @@ class MapReader {
       auto traced = trace(grid, options);
       if (!traced) return node_.at("trace").fail(traced.error().problem, traced.error().allowed);
       map_.notes.push_back((grid.name.empty() ? std::string{"the cells"} : grid.name) + ": " + describe(*traced, options));
+      if (grid.bounds && traced->covered == static_cast<std::int64_t>(grid.blocked.size())) {
+        map_.notes.push_back(options.dilate > 0.0 ? fmt::format("nothing is free any more: what is blocked, grown by {:g} m, covers all {:g} x {:g} m of the map", options.dilate, grid.columns * grid.cell, grid.rows * grid.cell)
+                                                  : std::string{"nothing is free: every cell is blocked"});
+      }
       if (traced->boundary) map_.boundaries.push_back(std::move(*traced->boundary));
       map_.obstacles.insert(map_.obstacles.end(), std::make_move_iterator(traced->obstacles.begin()), std::make_move_iterator(traced->obstacles.end()));
     }
@@ -346,52 +202,6 @@ class MapReader {
     for (const char* field : {"trace", "trace_relative", "dilate"}) {
       if (node_.has(field)) source[field] = node_.at(field).json();
     }
-  }
-
-  void read_dxf(Json& source) {
-    const std::string name = node_.at("dxf").file_name();
-    dxf::Options options;
-    if (node_.has("unit")) options.unit = node_.at("unit").word({"mm", "cm", "m", "in", "ft"});
-    if (node_.has("obstacle_layers")) {
-      for (const Node& layer : node_.at("obstacle_layers").elements()) options.obstacle_layers.push_back(layer.text());
-    }
-    if (node_.has("boundary_layer")) options.boundary_layer = node_.at("boundary_layer").text();
-    if (node_.has("tolerance")) options.tolerance = node_.at("tolerance").number(dxf::least_tolerance, dxf::most_tolerance);
-    if (node_.has("closing")) options.closing = node_.at("closing").number(0.0, dxf::most_closing);
-    if (node_.failed() || !count_file()) return;
-    auto text = read_file(folder_ / name, largest_drawing);
-    if (!text) return fail_by_file(node_.at("dxf"), text.error());
-    auto plan = dxf::read_floor_plan(*text, (folder_ / name).string(), options);
-    if (!plan) {
-      // Its sentences name the option of `map`, whose map object is the outermost one.
-      InputError error = plan.error();
-      constexpr std::string_view option = "give unit (--unit)";
-      if (const std::size_t at = error.problem.find(option); at != std::string::npos && !node_.path().empty()) error.problem.replace(at, option.size(), "give " + node_.path() + ".unit");
-      return fail_by_file(node_.at("dxf"), error);
-    }
-    source["file"] = name;
-    for (const char* field : {"unit", "obstacle_layers", "boundary_layer", "tolerance", "closing"}) {
-      if (node_.has(field)) source[field] = node_.at(field).json();
-    }
-    add_file(source, fs::path{name}.filename().string(), sha256(*text));
-    map_.boundaries = std::move(plan->boundaries);
-    map_.obstacles = std::move(plan->obstacles);
-    map_.lines = std::move(plan->lines);
-    for (std::string& note : plan->notes) map_.notes.push_back(std::move(note));
-  }
-
-  void take_grid(const Node& name, Parsed<LoadedGrid> loaded, Json& source) {
-    if (!loaded) return fail_by_file(name, loaded.error());
-    if (!count_cells(node_, loaded->grid.columns, loaded->grid.rows)) return;
-    // The files' names without their folders: the record is the same wherever the scenario lies.
-    for (const MapFile& file : loaded->files)
-      add_file(source, fs::path{file.path}.filename().string(), file.sha256);
-    map_.grids.push_back(std::move(loaded->grid));
-    map_.notes.insert(map_.notes.end(), loaded->notes.begin(), loaded->notes.end());
-  }
-
-  static void add_file(Json& source, const std::string& name, const std::string& hash) {
-    source["files"].push_back({{"name", name}, {"sha256", hash}});
   }
 
   void read_inlined(Json& source) {
@@ -423,7 +233,7 @@ class MapReader {
     if (node_.has("source"))
       return polygons.fail("a named map has its own record", "polygons inlined where source is given");
     const std::string name = polygons.file_name();
-    if (node_.failed() || !count_file()) return;
+    if (node_.failed() || !count_file(node_)) return;
     const fs::path path = folder_ / name;
     for (const auto& [extension, what, kind] : {std::tuple{".dxf", "a drawing", "dxf"}, {".yaml", "a ROS map", "ros"}, {".yml", "a ROS map", "ros"}, {".svg", "an SVG drawing", "svg"}, {".xml", "a plant model", "opentcs"}}) {
       if (has_extension(path, extension)) return polygons.fail(fmt::format("{} is {}, not a map.json", name, what), fmt::format("{{\"{}\": \"{}\"}}", kind, name));
@@ -463,12 +273,6 @@ class MapReader {
     };
     return any({"boundary", "boundaries", "obstacles", "lines", "points"}) &&
            !any({"polygons", "cells", "ros", "image", "dxf", "movingai", "generate", "svg", "rmf", "opentcs"});
-  }
-
-  bool count_file() {
-    if (++node_.context().files_read <= most_files) return true;
-    node_.fail("too many map files are named", fmt::format("at most {} in all", most_files));
-    return false;
   }
 
   void place(Json& source) {
@@ -546,6 +350,28 @@ class MapReader {
 };
 
 }  // namespace
+
+void append(Map& map, Map more) {
+  const auto move_all = [](auto& to, auto& from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  };
+  move_all(map.boundaries, more.boundaries);
+  move_all(map.obstacles, more.obstacles);
+  move_all(map.lines, more.lines);
+  move_all(map.points, more.points);
+  move_all(map.grids, more.grids);
+  move_all(map.notes, more.notes);
+}
+
+bool count_file(const Node& node) {
+  if (++node.context().files_read <= most_files) return true;
+  node.fail("too many map files are named", fmt::format("at most {} in all", most_files));
+  return false;
+}
+
+void add_file(Json& source, const std::string& name, const std::string& hash) {
+  source["files"].push_back({{"name", name}, {"sha256", hash}});
+}
 
 Map read_map_node(const Node& node, const fs::path& folder, Json& source, LaneGraph* lanes) {
   MapReader reader{node, folder, 0};

@@ -48,6 +48,7 @@ class Building {
     if (path_.empty()) return refuse("level", wanted_.empty() ? "it has several levels" : fmt::format("there is no level \"{}\"", shortened(wanted_)), all);
     if (!level.IsMap()) return refuse(path_, "it is no map of fields", "vertices, walls, measurements");
     if (!read_vertices(level["vertices"]) || !read_scale(level["measurements"]) || !read_walls(level["walls"]) || !read_lanes(level["lanes"])) return tl::unexpected{*error_};
+    if (lanes_.empty()) name_places();  // else they are the lanes' places
     for (const char* what : {"doors", "models", "human_lanes"}) {
       const YAML::Node list = level[what];
       if (list.IsDefined() && list.IsSequence() && list.size() > 0) map_.notes.push_back(fmt::format("left out: {} ({})", what, list.size()));
@@ -123,7 +124,6 @@ class Building {
       v = scale_ * v;
       if (!(std::abs(v.x) <= largest_raw_coordinate && std::abs(v.y) <= largest_raw_coordinate)) return fail("vertices", fmt::format("one is at ({:g}, {:g})", v.x, v.y), "coordinates within 1e9 m");
     }
-    name_places();
     return true;
   }
 

@@ -6,6 +6,7 @@
 
 #include "waywright/judge/judge.hpp"
 #include "waywright/path/remainder.hpp"
+#include "waywright/planner/detour_words.hpp"
 #include "waywright/planner/rest_of_plan.hpp"
 #include "waywright/proof/moving_clearance.hpp"
 
@@ -46,9 +47,16 @@ std::vector<Ring> swept(const MovingObstacle& obstacle, double until) {
   return rings;
 }
 
-/// What a plan takes over from the one that it comes in place of.
-void take_over(Plan& around, Plan& before, Plan& detour) {
-  around.explanation = std::move(before.explanation);
+/// What a plan takes over from the one that it comes in place of. `why`: a sentence; `left_at`: m, up to which both are the same.
+void take_over(Plan& around, Plan& before, Plan& detour, std::string why, double left_at) {
+  // A second detour's sentences are not those of a first one's way.
+  const bool is_first = std::none_of(before.explanation.begin(), before.explanation.end(), [](const std::string& sentence) { return sentence.starts_with("Before what moves was looked at: "); });
+  around.explanation = is_first ? of_part("Before what moves was looked at", before.explanation) : std::move(before.explanation);
+  around.explanation.push_back(std::move(why));
+  if (!before.samples.empty() && !around.samples.empty()) {
+    around.explanation.push_back(detour_sentence({before.samples, before.metrics.travel_time, before.hindrance ? " if nothing moved" : ""}, {around.samples, around.metrics.travel_time}, left_at));
+  }
+  for (std::string& sentence : of_part("Of the detour", detour.explanation)) around.explanation.push_back(std::move(sentence));
   around.alternatives = std::move(before.alternatives);
   around.search = std::move(detour.search);
   around.planner = before.planner;
@@ -81,9 +89,20 @@ Parsed<std::optional<Plan>> beside_what_comes(const Problem& problem, Plan& plan
   if (found->plan.status != Status::solved) return std::optional<Plan>{};
   Plan around = judge(problem, found->whole, cancel);
   if (around.status != Status::solved) return std::optional<Plan>{};
-  take_over(around, plan, found->plan);
-  around.explanation.push_back(fmt::format("{} comes to where the vehicle could wait for it, so the way leads beside what it is predicted to sweep until it is there.", one_line(title_of(obstacle, h.obstacle))));
+  take_over(around, plan, found->plan, fmt::format("{} comes to where the vehicle could wait for it, so the way leads beside what it is predicted to sweep until it is there.", one_line(title_of(obstacle, h.obstacle))), found->s);
   return std::optional<Plan>{std::move(around)};
+}
+
+/// What stands in for what moves has a number of the map in sentences of planners: its name in place of that.
+std::string named(std::string text, std::size_t first, const std::vector<std::string>& names) {
+  for (std::size_t k = names.size(); k-- > 0;) {
+    const std::string number = fmt::format("obstacle {} at ", first + k);
+    for (std::size_t at = text.find(number); at != std::string::npos; at = text.find(number, at)) {
+      text.replace(at, number.size(), names[k] + " at ");
+      at += names[k].size();
+    }
+  }
+  return text;
 }
 
 }  // namespace
@@ -130,6 +149,7 @@ Parsed<WayOn> detour(const Problem& problem, const Path& path, double s, const M
 Parsed<Plan> led_around(const Problem& problem, Plan plan, const std::atomic<bool>* cancel) {
   std::vector<WantedWait> wanted;
   std::vector<Ring> standing;
+  std::vector<std::string> names;  // of those
   const std::vector<MovingObstacle>& moving = problem.scenario().moving;
   for (std::size_t round = 0; round < moving.size(); ++round) {
     if (!plan.hindrance || plan.path.pieces.empty() || problem.pocket() || problem.is_driven_back()) return plan;
@@ -145,16 +165,16 @@ Parsed<Plan> led_around(const Problem& problem, Plan plan, const std::atomic<boo
     if (!since) return plan;
     standing.push_back(outline_that_holds(obstacle.footprint, obstacle.at(*since), room_beside));
     const std::string who = one_line(title_of(obstacle, h.obstacle));
+    names.push_back(who);
     auto found = detour(problem, plan.path, h.s, problem.scenario().mission, standing, cancel);
     if (!found) return tl::unexpected{found.error()};
     if (found->plan.status != Status::solved) {
-      plan.explanation.push_back(fmt::format("No way leads around {} from where the vehicle waits for it: {}.", who, found->plan.reason));
+      plan.explanation.push_back(fmt::format("No way leads around {} from where the vehicle waits for it: {}.", who, named(found->plan.reason, problem.scenario().map.obstacles.size(), names)));
       return plan;
     }
     wanted.push_back({found->s, h.from + obstacle.patience, h.obstacle});
     Plan around = judge(problem, found->whole, cancel, wanted);
-    take_over(around, plan, found->plan);
-    around.explanation.push_back(fmt::format("{} stays in the way: the vehicle waits for {:g} s, {:.2f} m before it, and then takes it for an obstacle that stays, and a way around it.", who, obstacle.patience, h.ahead));
+    take_over(around, plan, found->plan, fmt::format("{} stays in the way: the vehicle waits for {:g} s, {:.2f} m before it, and then takes it for an obstacle that stays, and a way around it.", who, obstacle.patience, h.ahead), found->s);
     plan = std::move(around);
   }
   return plan;

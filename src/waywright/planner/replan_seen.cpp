@@ -10,7 +10,9 @@
 
 #include "waywright/judge/judge.hpp"
 #include "waywright/path/remainder.hpp"
+#include "waywright/planner/detour_words.hpp"
 #include "waywright/planner/go_around.hpp"
+#include "waywright/planner/moving_ends.hpp"
 #include "waywright/planner/docking/continuation.hpp"
 #include "waywright/planner/rest_of_plan.hpp"
 #include "waywright/planner/solve_words.hpp"
@@ -50,7 +52,10 @@ Scenario scenario_now(const Plan& old, const Problem& was, const RestOfPlan& res
   now.start_motion = rest.motion;
   add_to_map(now.map, seen.still);
   for (MovingObstacle& obstacle : now.moving) obstacle = seen_from(obstacle, t);
-  now.moving.insert(now.moving.end(), seen.moving.begin(), seen.moving.end());
+  for (std::size_t i = 0; i < seen.moving.size(); ++i) {
+    now.moving.push_back(seen.moving[i]);
+    if (now.moving.back().name.empty()) now.moving.back().name = fmt::format("new moving obstacle {}", i + 1);  // its number in the file, not among all
+  }
   constexpr std::string_view mark = ", replanned";
   if (!now.name.ends_with(mark)) now.name += mark;
   return now;
@@ -109,15 +114,6 @@ Proof carried_over(const Plan& old, const Problem& problem, const RestOfPlan& re
   return proof;
 }
 
-/// What a planner says of a part of the way; what was proven of that alone is no matter any more.
-std::vector<std::string> of_new_part(const std::vector<std::string>& sentences) {
-  std::vector<std::string> text;
-  for (const std::string& sentence : sentences) {
-    if (sentence.rfind("Proven ", 0) != 0) text.push_back("Of the new part: " + sentence);
-  }
-  return text;
-}
-
 /// A way that could be driven from here on.
 struct Candidate {
   std::string name, told;
@@ -128,10 +124,16 @@ struct Candidate {
 
 class Replanning {
  public:
-  Replanning(const Plan& old, const RestOfPlan& rest, const Problem& problem, const SeenObstacles& seen, const std::atomic<bool>* cancel)
-      : old_{old}, rest_{rest}, problem_{problem}, seen_{seen}, cancel_{cancel} {}
+  Replanning(const Plan& old, const RestOfPlan& rest, const Problem& problem, const SeenObstacles& seen, double t, const std::atomic<bool>* cancel)
+      : old_{old}, rest_{rest}, problem_{problem}, seen_{seen}, t_{t}, cancel_{cancel} {}
 
   Parsed<Plan> run() {
+    if (auto failure = moving_at_ends(problem_)) {
+      Plan plan = failed_plan(problem_, *failure);
+      plan.alternatives.push_back(old_way());
+      plan.replanned = what_appeared(old_, rest_, seen_.still);
+      return plan;
+    }
     const auto begin = Clock::now();
     const HeldAgainst held = held_against(seen_.still, problem_, rest_.path, cancel_);
     const double held_in = since(begin);
@@ -165,6 +167,17 @@ class Replanning {
     plan.parameters = *parameters;
     auto led = led_around(problem_, std::move(plan), cancel_);
     if (!led) return led;
+    if (auto failure = moving_at_goal(problem_, *led)) {
+      Plan failed = failed_plan(problem_, *failure);
+      failed.explanation = std::move(led->explanation);
+      failed.alternatives = std::move(led->alternatives);
+      failed.replanned = std::move(led->replanned);
+      failed.planner = led->planner;
+      failed.parameters = led->parameters;
+      failed.timing = led->timing;
+      failed.effort = led->effort;
+      return failed;
+    }
     std::vector<std::string> more;
     explain_mission(problem_, *led, more);
     more.push_back(led->status == Status::solved ? proof_sentence(problem_, *led) : "This path is not proven: " + led->reason + ".");
@@ -241,7 +254,7 @@ class Replanning {
       c.plan.search = std::move(found->plan.search);
       c.left_at = found->s;
       c.told = fmt::format("the first {:.2f} m of what was left and its last {:.2f} m are kept, and {:.2f} m lead around", found->s, length(behind), length(found->plan.path));
-      c.explanation = of_new_part(found->plan.explanation);
+      c.explanation = of_part("Of the new part", found->plan.explanation);
       if (!c.plan.path.pieces.empty()) candidates.push_back(std::move(c));
     }
   }
@@ -261,7 +274,7 @@ class Replanning {
         c.plan.search = std::move(found->plan.search);
         c.left_at = found->s;
         c.told = fmt::format("the vehicle stops along the old way, in {:.2f} m, and the way to the goal is planned anew from there", found->s);
-        c.explanation = of_new_part(found->plan.explanation);
+        c.explanation = of_part("Of the new part", found->plan.explanation);
         candidates.push_back(std::move(c));
         return std::nullopt;
       }
@@ -313,6 +326,7 @@ class Replanning {
     const Candidate& taken = candidates.front();
     text.push_back(fmt::format("{}: {}. It takes {:.1f} s for {:.2f} m.", "So it is " + taken.name, taken.told, plan.metrics.travel_time,
                                plan.metrics.length));
+    if (!plan.samples.empty()) text.push_back(detour_sentence({samples_, old_.samples.back().t - t_}, {plan.samples, plan.metrics.travel_time}, taken.left_at));
     std::string others;
     std::vector<Alternative> alternatives{old_way()};
     for (std::size_t i = 1; i < candidates.size(); ++i) {
@@ -349,6 +363,7 @@ class Replanning {
   const RestOfPlan& rest_;
   const Problem& problem_;
   const SeenObstacles& seen_;
+  double t_;  ///< s after the old plan's start
   const std::atomic<bool>* cancel_;
   std::vector<Sample> samples_;
   Blocked blocked_;
@@ -373,7 +388,7 @@ Parsed<Plan> replan(const Plan& old, double t, const SeenObstacles& seen, const 
   if (!rest) return tl::unexpected{InputError{"", "", fmt::format("the forks are in the shelf {:g} s after the start, and nothing is planned anew there", t), "a time at which they are out of it"}};
   const auto problem = Problem::prepare(scenario_now(old, *was, *rest, t, seen));
   if (!problem) return tl::unexpected{problem.error()};
-  return Replanning{old, *rest, *problem, seen, cancel}.run();
+  return Replanning{old, *rest, *problem, seen, t, cancel}.run();
 }
 
 }  // namespace waywright

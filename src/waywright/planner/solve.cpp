@@ -3,7 +3,9 @@
 
 #include "waywright/judge/judge.hpp"
 #include "waywright/planner/blocking_zones.hpp"
+#include "waywright/planner/check_resolution.hpp"
 #include "waywright/planner/go_around.hpp"
+#include "waywright/planner/moving_ends.hpp"
 #include "waywright/planner/registry.hpp"
 #include "waywright/planner/solve_words.hpp"
 
@@ -23,6 +25,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
     return plan;
   };
   if (auto failure = problem.check_ends()) return finish(failed_plan(problem, *failure));
+  if (auto failure = moving_at_ends(problem)) return finish(failed_plan(problem, *failure));
   if (!description->goes_on_in_motion) {
     if (auto failure = problem.check_stop()) return finish(failed_plan(problem, *failure));
   }
@@ -36,6 +39,9 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
   const auto planning = Clock::now();
   PlanningResult result = planner.plan(problem, budget);
   const double planned_in = since(planning);
+  if (!result && result.error().failure.status == Status::no_path && budget.evaluations() == 0 && budget.expansions() == 0) {
+    if (auto refused = refused_resolution(problem, description->name, *parameters, result.error().failure.reason)) return tl::unexpected{std::move(*refused)};
+  }
 
   Plan plan;
   if (result) {
@@ -51,9 +57,19 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
       auto led = led_around(problem, std::move(plan), cancel);
       if (!led) return led;
       plan = std::move(*led);
+      if (auto failure = moving_at_goal(problem, plan)) {
+        Plan failed = failed_plan(problem, *failure);
+        failed.explanation = std::move(plan.explanation);
+        failed.alternatives = std::move(plan.alternatives);
+        failed.search = std::move(plan.search);
+        failed.timing = plan.timing;
+        failed.effort = plan.effort;
+        plan = std::move(failed);
+      }
     }
     explain_mission(problem, plan, plan.explanation);
-    plan.explanation.push_back(plan.status == Status::solved ? proof_sentence(problem, plan)
+    if (!plan.path.pieces.empty())
+      plan.explanation.push_back(plan.status == Status::solved ? proof_sentence(problem, plan)
                                                              : plan.status == Status::canceled ? "The run was interrupted: this path is not proven." : "This path is not proven: " + plan.reason + ".");
   } else {
     plan = failed_plan(problem, result.error().failure);

@@ -47,10 +47,14 @@ std::string wait_sentence(const Problem& problem, const Wait& wait) {
 }
 
 void explain_mission(const Problem& problem, const Plan& plan, std::vector<std::string>& text) {
-  const Scenario& scenario = problem.scenario();
   if (problem.is_driven_back()) {
     text.insert(text.begin(), "The way out was planned as the way of docking from the last pose, and is driven back.");
   }
+  explain_driven(problem, plan, text);
+}
+
+void explain_driven(const Problem& problem, const Plan& plan, std::vector<std::string>& text) {
+  const Scenario& scenario = problem.scenario();
   if (problem.free_goal() != nullptr && !plan.path.pieces.empty()) {
     const Pose end = end_pose(plan.path);
     text.push_back(fmt::format("The goal leaves the heading free{}: the vehicle ends at ({:.3f}, {:.3f}) with {:.4f} rad, as its last drive has it.",

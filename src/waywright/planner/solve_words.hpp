@@ -14,6 +14,8 @@ std::string proof_sentence(const Problem& problem, const Plan& plan);
 
 /// What the mission adds to what the planner was asked.
 void explain_mission(const Problem& problem, const Plan& plan, std::vector<std::string>& text);
+/// The same of a path that no planner made: where it waits, what it carries, where it ends.
+void explain_driven(const Problem& problem, const Plan& plan, std::vector<std::string>& text);
 
 /// Where, when and for whom the vehicle waits.
 std::string wait_sentence(const Problem& problem, const Wait& wait);

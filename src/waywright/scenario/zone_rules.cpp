@@ -14,7 +14,18 @@ constexpr double on_outline = 1e-6;  // m
 
 Box box_of(Vec2 a, Vec2 b) { return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}}; }
 
-bool is_inside(const ZoneRules::Weighed& zone, Vec2 point) { return zone.box.contains(point) && inner_radius(zone.area, point) > on_outline; }
+/// Inside, and farther than on_outline from every edge: most edges are told to be farther by their box.
+bool is_inside(const ZoneRules::Weighed& zone, Vec2 point) {
+  if (!zone.box.contains(point) || !contains(zone.area, point)) return false;
+  constexpr double clearly = 2.0 * on_outline;
+  for (std::size_t i = 0; i < zone.area.size(); ++i) {
+    const Vec2 a = zone.area[i], b = zone.area[i + 1 == zone.area.size() ? 0 : i + 1];
+    if ((a.x < point.x - clearly && b.x < point.x - clearly) || (a.x > point.x + clearly && b.x > point.x + clearly)) continue;
+    if ((a.y < point.y - clearly && b.y < point.y - clearly) || (a.y > point.y + clearly && b.y > point.y + clearly)) continue;
+    if (!(point_segment_distance(point, a, b) > on_outline)) return false;
+  }
+  return true;
+}
 
 double bounded(double product) { return std::clamp(product, ZoneRules::least_product, ZoneRules::most_product); }
 
@@ -52,14 +63,21 @@ ZoneRules::ZoneRules(const std::vector<Zone>& zones) {
       }
     }
   }
+  const auto boxes_of = [](const auto& zones_of_a_kind) {
+    std::vector<Box> boxes;
+    for (const auto& zone : zones_of_a_kind) boxes.push_back(zone.box);
+    return boxes;
+  };
+  directed_near_ = BoxTable{boxes_of(directed_)};
+  weighed_near_ = BoxTable{boxes_of(weighed_)};
   least_factor_ = extreme_product(weighed_, true);
   most_factor_ = extreme_product(weighed_, false);
 }
 
 double ZoneRules::factor_at(Vec2 point) const {
   double product = 1.0;
-  for (const Weighed& zone : weighed_) {
-    if (is_inside(zone, point)) product *= zone.factor;
+  for (const std::uint32_t i : weighed_near_.at(point)) {
+    if (is_inside(weighed_[i], point)) product *= weighed_[i].factor;
   }
   return bounded(product);
 }
@@ -68,9 +86,11 @@ double ZoneRules::cost(Vec2 from, Vec2 to) const {
   const double length = distance(from, to);
   const Box box = box_of(from, to);
   std::vector<double> shares{0.0, 1.0};
-  // Where there are hundreds of zones (lanes of a plant), few are near: only these are asked again.
+  std::vector<std::uint32_t> found;
+  weighed_near_.along(from, to, found);
   std::vector<const Weighed*> near;
-  for (const Weighed& zone : weighed_) {
+  for (const std::uint32_t i : found) {
+    const Weighed& zone = weighed_[i];
     if (!meet(zone.box, box)) continue;
     near.push_back(&zone);
     add_crossings(zone.area, from, to, shares);
@@ -95,7 +115,10 @@ double ZoneRules::cost(Vec2 from, Vec2 to) const {
 bool ZoneRules::may_be_driven(Vec2 from, Vec2 to) const {
   if (from == to) return true;
   const Box box = box_of(from, to);
-  return std::all_of(directed_.begin(), directed_.end(), [&](const Directed& zone) {
+  std::vector<std::uint32_t> found;
+  directed_near_.along(from, to, found);
+  return std::all_of(found.begin(), found.end(), [&](std::uint32_t i) {
+    const Directed& zone = directed_[i];
     return !meet(zone.box, box) || !zone.is_against(to - from, planned_course) || stretches_deeper_than(zone.area, planned_depth, from, to).empty();
   });
 }

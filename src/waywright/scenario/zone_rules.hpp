@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "waywright/geometry/box_table.hpp"
 #include "waywright/map/world.hpp"
 #include "waywright/scenario/zone.hpp"
 
@@ -65,6 +66,7 @@ class ZoneRules {
  private:
   std::vector<Directed> directed_;
   std::vector<Weighed> weighed_;
+  BoxTable directed_near_, weighed_near_;  ///< where there are hundreds of zones (lanes of a plant), few are near a way
   std::vector<SpeedLimit> limits_;
   double least_factor_ = 1.0, most_factor_ = 1.0;
 };

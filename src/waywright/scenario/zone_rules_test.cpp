@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "waywright/core/random.hpp"
+#include "waywright/geometry/stretches.hpp"
 
 namespace waywright {
 namespace {
@@ -23,6 +25,77 @@ Ring star(Random& random) {
   const auto corners = random.integer(3, 8);
   for (std::int64_t i = 0; i < corners; ++i) ring.push_back(middle + random.uniform(0.4, 3.0) * unit(two_pi * static_cast<double>(i) / static_cast<double>(corners)));
   return ring;
+}
+
+/// What the rules say where every zone is asked, in order.
+double plain_cost(const ZoneRules& rules, Vec2 from, Vec2 to) {
+  const auto is_inside = [](const ZoneRules::Weighed& zone, Vec2 p) { return zone.box.contains(p) && inner_radius(zone.area, p) > 1e-6; };
+  const Box box = bounding_box({from, to});
+  std::vector<double> shares{0.0, 1.0};
+  bool is_any = false;
+  for (const ZoneRules::Weighed& zone : rules.weighed()) {
+    if (!meet(zone.box, box)) continue;
+    is_any = true;
+    add_crossings(zone.area, from, to, shares);
+  }
+  if (!is_any) return distance(from, to);
+  std::sort(shares.begin(), shares.end());
+  double more = 0.0;
+  for (std::size_t i = 1; i < shares.size(); ++i) {
+    const double part = shares[i] - shares[i - 1];
+    double product = 1.0;
+    for (const ZoneRules::Weighed& zone : rules.weighed()) {
+      if (is_inside(zone, from + 0.5 * (shares[i - 1] + shares[i]) * (to - from))) product *= zone.factor;
+    }
+    if (part > 0.0) more += part * (std::clamp(product, ZoneRules::least_product, ZoneRules::most_product) - 1.0);
+  }
+  return (1.0 + more) * distance(from, to);
+}
+
+bool plain_may(const ZoneRules& rules, Vec2 from, Vec2 to) {
+  return std::all_of(rules.directed().begin(), rules.directed().end(), [&](const ZoneRules::Directed& zone) {
+    return !zone.is_against(to - from, ZoneRules::planned_course) || stretches_deeper_than(zone.area, ZoneRules::planned_depth, from, to).empty();
+  });
+}
+
+// The table of what is near changes no bit, wherever zones lie, overlap, or are many; ways of any length, along the axes, along outlines and outside of all.
+TEST(ZoneRules, OfHundredsOfZonesTheNearOnesDecideAsAllWould) {
+  Random random{21};
+  int weighed = 0, forbidden = 0;
+  for (const double extent : {2.0, 60.0, 2e5}) {
+    std::vector<Zone> zones;
+    for (int k = 0; k < 500; ++k) {
+      const Frame at{{random.uniform(-extent, extent), random.uniform(-0.3 * extent, 0.3 * extent), 0.0}};
+      const ZoneType type = k % 3 == 0 ? ZoneType::directed : k % 3 == 1 ? ZoneType::preferred : ZoneType::penalty;
+      const double value = type == ZoneType::directed ? random.uniform(-3, 3) : type == ZoneType::preferred ? random.uniform(0.3, 0.9) : random.uniform(1.1, 3);
+      zones.push_back(zone(type, transformed(k % 7 == 0 ? rectangle({-1, -0.5}, {1, 0.5}) : star(random), at), value));
+    }
+    zones.push_back(zone(ZoneType::penalty, rectangle({-0.5 * extent, -0.1 * extent}, {0.7 * extent, 0.2 * extent}), 1.5));
+    const ZoneRules rules{zones};
+    for (int i = 0; i < 1500; ++i) {
+      const Zone& some = zones[static_cast<std::size_t>(random.integer(0, 500))];
+      Vec2 from{random.uniform(-1.2 * extent, 1.2 * extent), random.uniform(-0.5 * extent, 0.5 * extent)};
+      if (i % 4 == 0) from = some.area.front();
+      Vec2 to{random.uniform(-1.2 * extent, 1.2 * extent), random.uniform(-0.5 * extent, 0.5 * extent)};
+      if (i % 3 == 0) to = from + random.uniform(0.0, 3.0) * unit(random.uniform(-3.2, 3.2));
+      if (i % 5 == 0) to.y = from.y;
+      if (i % 7 == 0) to.x = from.x;
+      if (i % 11 == 0) to = some.area[1];
+      const double cost = rules.cost(from, to);
+      ASSERT_EQ(cost, plain_cost(rules, from, to)) << extent << " " << i;
+      const bool may = rules.may_be_driven(from, to);
+      ASSERT_EQ(may, from == to || plain_may(rules, from, to)) << extent << " " << i;
+      double product = 1.0;
+      for (const ZoneRules::Weighed& w : rules.weighed()) {
+        if (w.box.contains(to) && inner_radius(w.area, to) > 1e-6) product *= w.factor;
+      }
+      ASSERT_EQ(rules.factor_at(to), std::clamp(product, ZoneRules::least_product, ZoneRules::most_product));
+      weighed += cost != distance(from, to) ? 1 : 0;
+      forbidden += may ? 0 : 1;
+    }
+  }
+  EXPECT_GT(weighed, 500);
+  EXPECT_GT(forbidden, 30);
 }
 
 TEST(ZoneRules, ALineCostsWhatItsPartsCost) {

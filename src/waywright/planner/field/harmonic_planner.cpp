@@ -22,7 +22,6 @@ using grid::counted;
 using grid::failure;
 
 constexpr std::int64_t usual_cells = 100'000;       // solved in some tenths of a second
-constexpr std::int64_t most_cells = 1'000'000;
 constexpr double step_of_cell = 0.5;
 constexpr double thinning = 0.1;                    // of a cell
 

@@ -1,6 +1,7 @@
 // Planner `harmonic`: along a streamline of a potential without local minima, on any map.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string_view>
 
@@ -17,6 +18,8 @@ struct HarmonicOptions {
 /// For the disc around the footprint, of vehicles that move any way or turn on the spot.
 class HarmonicPlanner {
  public:
+  static constexpr std::int64_t most_cells = 1'000'000;  ///< that are solved for
+
   explicit HarmonicPlanner(const HarmonicOptions& options) : options_{options} {}
   PlanningResult plan(const Problem& problem, Budget& budget) const;
   std::string_view name() const { return "harmonic"; }

@@ -37,6 +37,8 @@ struct GoalMotion {
 class LatticeGraph {
  public:
   static constexpr std::int64_t most_cells = 500'000;
+  static constexpr double least_cell = 0.01;  ///< m
+  static constexpr double most_cells_a_radius = 200.0;
 
   /// `refused` says why there is none. @pre the problem outlives this
   LatticeGraph(const Problem& problem, const LatticeOptions& options);
