@@ -10,11 +10,10 @@
 
 #include "waywright/planner/field/sphere_world_of.hpp"
 #include "waywright/planner/field/star_world_of.hpp"
+#include "waywright/planner/field/way_ends.hpp"
 #include "waywright/planner/grid/grid_words.hpp"
-#include "waywright/planner/plane/plane_ends.hpp"
 #include "waywright/planner/plane/plane_target.hpp"
 #include "waywright/planner/plane/rounded_way.hpp"
-#include "waywright/planner/roadmap/least_length.hpp"
 
 namespace waywright {
 namespace {
@@ -113,7 +112,7 @@ class FieldPlanner::Ready {
     }
     if (descent.ended != DescentEnd::goal) return tl::unexpected{trapped(descent, goal->at, std::move(text), name, budget)};
     descent.points.push_back(goal->at);
-    return explained(descent, *start, *goal, std::move(text), budget);
+    return finished_plan(space_, rounded_path(space_, *start, thinned_way(space_, descent.points, thinning), *goal), *start, *goal, std::move(text), budget);
   }
 
  private:
@@ -295,18 +294,6 @@ class FieldPlanner::Ready {
     failed.explanation = std::move(text);
     failed.explanation.push_back(reason + ".");
     return failed;
-  }
-
-  PlanningResult explained(const Descent& descent, const PlaneEnd& start, const PlaneEnd& goal, std::vector<std::string> text, Budget& budget) const {
-    Planned planned;
-    const std::vector<Vec2> points = thinned_way(space_, descent.points, thinning);
-    planned.path = rounded_path(space_, start, points, goal);
-    if (planned.path.pieces.empty()) return tl::unexpected{failure(Status::no_path, "start and goal are the same place, there is nothing to drive")};
-    if (start.run != 0 || goal.run != 0) text.push_back(run_sentence(space_, start, goal));
-    text.push_back(driving_sentence(space_.problem(), planned.path));
-    if (std::string bound = bound_sentence(least_length(space_, budget), length(planned.path)); !bound.empty()) text.push_back(std::move(bound));
-    planned.explanation = std::move(text);
-    return planned;
   }
 
   PlaneSpace space_;
