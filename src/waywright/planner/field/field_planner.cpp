@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "waywright/planner/field/field_drawings.hpp"
 #include "waywright/planner/field/sphere_world_of.hpp"
 #include "waywright/planner/field/star_world_of.hpp"
 #include "waywright/planner/field/way_ends.hpp"
@@ -83,6 +84,7 @@ class FieldPlanner::Ready {
     }
     std::vector<std::string> text;
     Descent descent;
+    DrawingOf field_drawn;
     const std::int64_t most = std::min(options.steps, budget.evaluations_left().value_or(std::numeric_limits<std::int64_t>::max()));
     if (options.method == FieldMethod::potential) {
       const PotentialField field{space_, options.potential, goal->at};
@@ -95,29 +97,41 @@ class FieldPlanner::Ready {
       text.push_back(fmt::format("Down the potential of the goal's attraction ({:g}, conic from {:g} m) and the repulsion of what is nearer than {:g} m ({:g}): {} of at most {:g} m.",
                                  options.potential.attraction, options.potential.conic_from, options.potential.reach, options.potential.repulsion, counted(descent.steps, "step"),
                                  options.descent.speed * options.descent.period));
+      field_drawn = [&](std::optional<Vec2> trap) { return potential_drawing(options.potential, goal->at, trap); };
     } else if (options.method == FieldMethod::star) {
       const auto world = star_world(space_);
       if (!world) {
         budget.count_evaluations();
         return tl::unexpected{failure(Status::no_path, "a world of stars needs obstacles that are each seen whole from a place in them, apart from each other: " + world.error())};
       }
-      descent = down_star_navigation(options, *world, start->at, goal->at, most, text, budget);
+      descent = down_star_navigation(options, *world, start->at, goal->at, most, text, field_drawn, budget);
     } else {
       const auto covering = covering_world(space_, start->at, goal->at);
       if (!covering) {
         budget.count_evaluations();
         return tl::unexpected{failure(Status::no_path, "a navigation function on a world of discs needs each obstacle in a disc apart from the others: " + covering.error())};
       }
-      descent = down_navigation_function(options, covering->world, start->at, goal->at, most, text, budget);
+      descent = down_navigation_function(options, covering->world, start->at, goal->at, most, text, field_drawn, budget);
     }
-    if (descent.ended != DescentEnd::goal) return tl::unexpected{trapped(descent, goal->at, std::move(text), name, budget)};
+    if (descent.ended != DescentEnd::goal) {
+      PlanningFailure failed = trapped(descent, goal->at, std::move(text), name, budget);
+      const bool is_trap = descent.ended == DescentEnd::local_minimum || descent.ended == DescentEnd::oscillation;
+      failed.field = field_drawn(is_trap ? std::optional{descent.last} : std::nullopt);
+      return tl::unexpected{std::move(failed)};
+    }
     descent.points.push_back(goal->at);
-    return finished_plan(space_, rounded_path(space_, *start, thinned_way(space_, descent.points, thinning), *goal), *start, *goal, std::move(text), budget);
+    PlanningResult plan = finished_plan(space_, rounded_path(space_, *start, thinned_way(space_, descent.points, thinning), *goal), *start, *goal, std::move(text), budget);
+    if (plan) plan->field = field_drawn(std::nullopt);
+    return plan;
   }
 
  private:
+  /// The field that was gone down, with the trap that it ended in.
+  using DrawingOf = std::function<SharedDrawing(std::optional<Vec2> trap)>;
+
   /// With the κ that is told; else with each that is shown to do.
-  static Descent down_navigation_function(const FieldPlannerOptions& options, const SphereWorld& world, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, Budget& budget) {
+  static Descent down_navigation_function(const FieldPlannerOptions& options, const SphereWorld& world, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, DrawingOf& drawn,
+                                          Budget& budget) {
     std::vector<double> kappas{options.kappa};
     if (options.kappa == 0.0) {
       kappas = kappas_that_lead_to_goal(world, goal, [&] { return budget.exhausted(); });
@@ -129,6 +143,7 @@ class FieldPlanner::Ready {
     const Chosen chosen = best_of(kappas, [&](double kappa) { return follow({world, goal, kappa}, start, options, most, budget); }, [&](Vec2 q) { return NavigationFunction{world, goal, 1.0}.distance_to_rim(q); }, budget);
     const double best_kappa = chosen.kappa;
     const Descent& best = chosen.descent;
+    drawn = [=](std::optional<Vec2> trap) { return navigation_drawing(world, goal, best_kappa, trap); };
     const auto discs = static_cast<std::int64_t>(world.obstacles.size());
     text.push_back(fmt::format("Down the navigation function of κ = {:g} on the disc of {:.3f} m around ({:.3f}, {:.3f}) with {} in it: {}.", best_kappa, world.outside.radius,
                                world.outside.centre.x, world.outside.centre.y, counted(discs, "disc"), counted(best.steps, "step")));
@@ -231,7 +246,8 @@ class FieldPlanner::Ready {
   }
 
   /// λ is the least that does not fold the map, κ those that lead to the goal in the model.
-  Descent down_star_navigation(const FieldPlannerOptions& options, const StarWorld& world, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, Budget& budget) const {
+  Descent down_star_navigation(const FieldPlannerOptions& options, const StarWorld& world, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, DrawingOf& drawn,
+                               Budget& budget) const {
     double lambda = options.lambda;
     if (lambda == 0.0) {
       const ChosenLambda chosen = choose_lambda(world, goal, 140, [&] { return budget.exhausted(); });
@@ -258,6 +274,7 @@ class FieldPlanner::Ready {
     const Chosen chosen = best_of(kappas, down, [&](Vec2 q) { return rims.at(q); }, budget);
     const double best_kappa = chosen.kappa;
     const Descent& best = chosen.descent;
+    drawn = [=](std::optional<Vec2> trap) { return star_drawing(world, goal, lambda, best_kappa, trap); };
     text.push_back(fmt::format("Down the navigation function of κ = {:g} on the world of discs that the map of λ = {:g} makes of {}: {}.", best_kappa, lambda,
                                counted(static_cast<std::int64_t>(world.obstacles.size()), "star"), counted(best.steps, "step")));
     return best;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "waywright/planner/field/field_drawings.hpp"
 #include "waywright/planner/field/way_ends.hpp"
 #include "waywright/planner/grid/grid_words.hpp"
 #include "waywright/planner/plane/rounded_way.hpp"
@@ -46,7 +47,8 @@ class HarmonicPlanner::Ready {
     const auto may_drive = [&](Cell a, Cell b) { return space_.is_free(frame_.centre(a), frame_.centre(b)); };
     HarmonicField::Options wanted = options.field;
     wanted.most_unknowns = budget.limits().expansions.value_or(wanted.most_unknowns);
-    const HarmonicField field{frame_, goals, is_free, may_drive, wanted};
+    const auto shared = std::make_shared<const HarmonicField>(frame_, goals, is_free, may_drive, wanted);
+    const HarmonicField& field = *shared;
     budget.count_expansions(field.unknowns());
     if (field.is_over()) return tl::unexpected{grid::nothing_found(SearchEnd::expansions, false, field.unknowns(), budget, frame_.cell, "")};
     if (budget.exhausted()) return tl::unexpected{grid::nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, field.unknowns(), budget, frame_.cell, "")};
@@ -58,13 +60,19 @@ class HarmonicPlanner::Ready {
       return tl::unexpected{failure(Status::no_path, fmt::format("at the start the potential is under what numbers can tell, so far is it from the goal between walls that draw off {:g}; less absorption, or coarser cells, reach farther",
                                                                  options.field.absorption))};
     }
-    if (!first) return tl::unexpected{not_connected(space_, fmt::format("the start is not connected to the goal between {} of {:g} m", counted(field.unknowns(), "free cell"), frame_.cell), budget)};
+    if (!first) {
+      PlanningFailure failed = not_connected(space_, fmt::format("the start is not connected to the goal between {} of {:g} m", counted(field.unknowns(), "free cell"), frame_.cell), budget);
+      failed.field = harmonic_drawing(shared);
+      return tl::unexpected{std::move(failed)};
+    }
     std::vector<Vec2> points = streamline(field, goals, *first);
     points.insert(points.begin(), ends->start.at);
     if (!ends->is_region) points.push_back(ends->goal.at);
     std::vector<std::string> text{fmt::format("Along a streamline of the harmonic potential on {} of {:g} m, which walls draw off at {:g} of what a free neighbour does: it has no local minimum but the goal.",
                                               counted(field.unknowns(), "free cell"), frame_.cell, options.field.absorption)};
-    return finished_plan(space_, rounded_path(space_, ends->start, thinned_way(space_, points, thinning * frame_.cell), ends->goal), ends->start, ends->goal, std::move(text), budget);
+    PlanningResult plan = finished_plan(space_, rounded_path(space_, ends->start, thinned_way(space_, points, thinning * frame_.cell), ends->goal), ends->start, ends->goal, std::move(text), budget);
+    if (plan) plan->field = harmonic_drawing(shared);
+    return plan;
   }
 
  private:

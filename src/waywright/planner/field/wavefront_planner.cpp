@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "waywright/planner/field/field_drawings.hpp"
 #include "waywright/planner/field/wavefront.hpp"
 #include "waywright/planner/field/way_ends.hpp"
 #include "waywright/planner/grid/disc_graph.hpp"
@@ -46,7 +47,7 @@ class WavefrontPlanner::Ready {
       const Move m = moves[static_cast<std::size_t>(move)];
       return space_.is_free(frame_.centre(c), frame_.centre({c.column + m.column, c.row + m.row}));
     };
-    const Wavefront front = wavefront(graph_, goals, is_free, [&] { return budget.exhausted(); }, budget.limits().expansions.value_or(std::numeric_limits<std::int64_t>::max()));
+    Wavefront front = wavefront(graph_, goals, is_free, [&] { return budget.exhausted(); }, budget.limits().expansions.value_or(std::numeric_limits<std::int64_t>::max()));
     budget.count_expansions(front.expanded);
     if (front.is_stopped) {
       const SearchEnd why = budget.canceled() ? SearchEnd::canceled : budget.cut_short() ? SearchEnd::timed_out : SearchEnd::expansions;
@@ -57,10 +58,16 @@ class WavefrontPlanner::Ready {
     for (const DiscConnection& c : ends->from) {
       if (value(c) != 0 && (!first || value(c) < value(*first))) first = c;
     }
-    if (!first) return tl::unexpected{not_connected(space_, fmt::format("the wave from the goal came through {} of {:g} m and did not reach the start", counted(front.reached, "cell"), frame_.cell), budget)};
+    if (!first) {
+      PlanningFailure failed = not_connected(space_, fmt::format("the wave from the goal came through {} of {:g} m and did not reach the start", counted(front.reached, "cell"), frame_.cell), budget);
+      failed.field = wavefront_drawing(frame_, std::move(front), options.neighbours);
+      return tl::unexpected{std::move(failed)};
+    }
     const auto clearance = [&](Cell c) { return space_.at_least(frame_.centre(c)); };
     const std::vector<Cell> cells = way_down(front, graph_, first->cell, is_free, options.keeps_away ? std::function<double(Cell)>{clearance} : std::function<double(Cell)>{});
-    return explained(options, front, cells, value(*first), *ends, budget);
+    PlanningResult plan = explained(options, front, cells, value(*first), *ends, budget);
+    if (plan) plan->field = wavefront_drawing(frame_, std::move(front), options.neighbours);
+    return plan;
   }
 
  private:

@@ -1,0 +1,202 @@
+#include "waywright/planner/field/field_picture_of.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace waywright {
+namespace {
+
+constexpr int most_across = 220;          // nodes along the longer side
+constexpr double lines_across = 20.0;     // streamlines side by side along it
+constexpr double near_share = 0.45;       // of their distance: nearer than that to an earlier one a line ends
+constexpr double shortest_line = 1.5;     // in their distances
+constexpr double step_of_cell = 0.5;
+constexpr int halvings = 7, squares_halved = 40;
+
+/// Where streamlines are already.
+class Taken {
+ public:
+  Taken(const Box& region, double bucket) : low_{region.low}, bucket_{bucket} {
+    columns_ = static_cast<int>((region.high.x - region.low.x) / bucket) + 1;
+    rows_ = static_cast<int>((region.high.y - region.low.y) / bucket) + 1;
+    points_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  }
+  void add(const Polyline& line) {
+    for (const Vec2 p : line) points_[bucket(column(p.x), row(p.y))].push_back(p);
+  }
+  /// @pre reach ≤ bucket
+  bool is_near(Vec2 p, double reach) const {
+    for (int r = std::max(0, row(p.y) - 1); r <= std::min(rows_ - 1, row(p.y) + 1); ++r) {
+      for (int c = std::max(0, column(p.x) - 1); c <= std::min(columns_ - 1, column(p.x) + 1); ++c) {
+        for (const Vec2 other : points_[bucket(c, r)]) {
+          if (distance(p, other) < reach) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+ private:
+  int column(double x) const { return std::clamp(static_cast<int>((x - low_.x) / bucket_), 0, columns_ - 1); }
+  int row(double y) const { return std::clamp(static_cast<int>((y - low_.y) / bucket_), 0, rows_ - 1); }
+  std::size_t bucket(int c, int r) const { return static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c); }
+
+  Vec2 low_;
+  double bucket_;
+  int columns_ = 0, rows_ = 0;
+  std::vector<std::vector<Vec2>> points_;
+};
+
+Vec2 node(const FieldPicture& picture, std::size_t i) {
+  const auto columns = static_cast<std::size_t>(picture.columns);
+  return picture.origin + picture.cell * Vec2{static_cast<double>(i % columns), static_cast<double>(i / columns)};
+}
+
+void rank(std::vector<double>& values) {
+  std::vector<double> sorted;
+  for (const double v : values) {
+    if (!std::isnan(v)) sorted.push_back(v);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  const double all = std::max<double>(1.0, static_cast<double>(sorted.size()));
+  for (double& v : values) {
+    if (std::isnan(v)) continue;
+    const auto [low, high] = std::equal_range(sorted.begin(), sorted.end(), v);
+    v = 0.5 * static_cast<double>((low - sorted.begin()) + (high - sorted.begin())) / all;
+  }
+}
+
+void trace(const FieldSeen& field, const Box& region, FieldPicture& picture) {
+  const double apart = std::max(region.high.x - region.low.x, region.high.y - region.low.y) / lines_across;
+  // From the highest places on, so that lines are long.
+  std::vector<std::size_t> seeds;
+  const int every = std::max(1, static_cast<int>(apart / picture.cell));
+  for (int row = every / 2; row < picture.rows; row += every) {
+    for (int column = every / 2; column < picture.columns; column += every) {
+      const std::size_t i = static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.columns) + static_cast<std::size_t>(column);
+      if (!std::isnan(picture.shares[i])) seeds.push_back(i);
+    }
+  }
+  std::stable_sort(seeds.begin(), seeds.end(), [&](std::size_t a, std::size_t b) { return picture.shares[a] > picture.shares[b]; });
+  Taken taken{region, apart};
+  const double step = step_of_cell * picture.cell;
+  const auto most_steps = static_cast<std::size_t>(40 * most_across);
+  for (const std::size_t seed : seeds) {
+    Polyline line{node(picture, seed)};
+    if (taken.is_near(line.front(), 0.8 * apart)) continue;
+    double way = 0.0;
+    while (line.size() < most_steps && region.contains(line.back())) {
+      const auto next = field.next(line.back(), step);
+      if (!next) break;
+      way += distance(line.back(), *next);
+      line.push_back(*next);
+      if (taken.is_near(*next, near_share * apart)) break;
+    }
+    if (!region.contains(line.back())) line.pop_back();
+    if (way < shortest_line * apart || line.size() < 2) continue;
+    taken.add(line);
+    picture.streamlines.push_back(std::move(line));
+  }
+}
+
+/// How often g turns around a square, counter-clockwise.
+int turns_of(const std::array<Vec2, 4>& g) {
+  int turns = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec2 a = g[k], b = g[(k + 1) % 4];
+    if ((a.y < 0.0) == (b.y < 0.0)) continue;
+    const double side = cross(a, b);
+    if (a.y < 0.0 && side > 0.0) ++turns;
+    if (b.y < 0.0 && side < 0.0) --turns;
+  }
+  return turns;
+}
+
+using Slope = std::function<std::optional<Vec2>(Vec2)>;
+
+/// Empty where one of the corners has none.
+std::optional<std::array<Vec2, 4>> slopes_around(const Slope& slope, Vec2 low, double side) {
+  std::array<Vec2, 4> g{};
+  const std::array<Vec2, 4> corners{low, low + Vec2{side, 0}, low + Vec2{side, side}, low + Vec2{0, side}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto at = slope(corners[k]);
+    if (!at) return std::nullopt;
+    g[k] = *at;
+  }
+  return g;
+}
+
+}  // namespace
+
+FieldPicture field_picture(const FieldSeen& field, const Box& region) {
+  FieldPicture picture;
+  picture.name = field.name;
+  picture.levels = {0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.96};
+  const Vec2 size = region.high - region.low;
+  if (!(size.x > 0.0 && size.y > 0.0)) return picture;
+  picture.cell = std::max(std::max(size.x, size.y) / most_across, std::sqrt(size.x * size.y / static_cast<double>(field.most_values)));
+  picture.columns = std::max(1, static_cast<int>(size.x / picture.cell));
+  picture.rows = std::max(1, static_cast<int>(size.y / picture.cell));
+  picture.origin = region.low + 0.5 * (size - picture.cell * Vec2{picture.columns - 1.0, picture.rows - 1.0});
+  picture.shares.assign(static_cast<std::size_t>(picture.columns) * static_cast<std::size_t>(picture.rows), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < picture.shares.size(); ++i) {
+    if (const auto value = field.value(node(picture, i)); value && std::isfinite(*value)) picture.shares[i] = *value;
+  }
+  rank(picture.shares);
+  trace(field, region, picture);
+  return picture;
+}
+
+std::optional<Vec2> place_down(const FieldSeen& field, Vec2 slope, Vec2 from, double step) {
+  const double steep = norm(slope);
+  const auto here = field.value(from);
+  if (!here || !(steep > 0.0) || !std::isfinite(steep)) return std::nullopt;
+  for (int k = 0; k < halvings; ++k, step *= 0.5) {
+    const Vec2 next = from - (step / steep) * slope;
+    if (const auto there = field.value(next); there && *there < *here) return next;
+  }
+  return std::nullopt;
+}
+
+std::vector<FieldPicture::Critical> where_slope_vanishes(const FieldPicture& picture, const Slope& slope) {
+  using Kind = FieldPicture::Critical::Kind;
+  std::vector<std::optional<Vec2>> known(picture.shares.size());
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (!std::isnan(picture.shares[i])) known[i] = slope(node(picture, i));
+  }
+  std::vector<FieldPicture::Critical> found;
+  const auto columns = static_cast<std::size_t>(picture.columns);
+  for (std::size_t i = 0; i + columns + 1 < known.size(); ++i) {
+    if (i % columns + 1 == columns || !known[i] || !known[i + 1] || !known[i + columns] || !known[i + columns + 1]) continue;
+    std::array<Vec2, 4> g{*known[i], *known[i + 1], *known[i + columns + 1], *known[i + columns]};
+    const int turns = turns_of(g);
+    if (turns == 0) continue;
+    Vec2 low = node(picture, i);
+    double side = picture.cell;
+    for (int halved = 0; halved < squares_halved; ++halved) {
+      const double half = 0.5 * side;
+      std::optional<Vec2> in;
+      for (const Vec2 at : {low, low + Vec2{half, 0}, low + Vec2{0, half}, low + Vec2{half, half}}) {
+        const auto part = slopes_around(slope, at, half);
+        if (!part || turns_of(*part) != turns) continue;
+        in = at;
+        g = *part;
+        break;
+      }
+      if (!in) break;
+      low = *in;
+      side = half;
+    }
+    // Around a minimum the slope points outwards.
+    double outwards = 0.0;
+    const std::array<Vec2, 4> from_middle{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+    for (std::size_t k = 0; k < 4; ++k) outwards += dot(g[k], from_middle[k]);
+    found.push_back({turns < 0 ? Kind::saddle : outwards > 0.0 ? Kind::minimum : Kind::maximum, low + 0.5 * Vec2{side, side}});
+  }
+  return found;
+}
+
+}  // namespace waywright
