@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "waywright/geometry/polygon.hpp"
+#include "waywright/report/scene_field.hpp"
 #include "waywright/report/scene_moving.hpp"
 #include "waywright/report/scene_parts.hpp"
 #include "waywright/report/scene_search.hpp"
@@ -50,18 +51,24 @@ class Scene {
   Scene(const Problem& problem, const Plan& plan, const Canvas& canvas) : problem_{problem}, plan_{plan}, canvas_{canvas}, svg_{canvas_.view} {}
 
   void draw() {
+    if (plan_.field) field_ = plan_.field->of(problem_, canvas_.region);
     open_map(svg_, canvas_);
+    if (field_) draw_field(svg_, *field_);
     draw_zone_areas(svg_, problem_.scenario().zones);
     draw_zones();
     numbered_ = draw_map(svg_, problem_.scenario(), canvas_.region);
     if (plan_.replanned) draw_replanned(svg_, *plan_.replanned);
     if (plan_.search) draw_search(svg_, *plan_.search, canvas_.region);
+    if (field_) svg_.open_group("onfield");
     draw_sweep(svg_, problem_.footprint(), plan_.samples);
     draw_alternatives();
+    if (field_) draw_casing();
     draw_path(svg_, plan_.samples);
+    if (field_) svg_.close_group();
     draw_moving(svg_, canvas_, plan_);
     draw_zone_names(svg_, problem_.scenario().zones, canvas_.region);
     draw_stops();
+    if (field_) draw_field_marks(svg_, *field_);
     draw_waits(svg_, canvas_, plan_);
     draw_waypoints(svg_, problem_.scenario());
     draw_vehicle(svg_, problem_.footprint(), problem_.first_pose(), "S");
@@ -128,6 +135,9 @@ class Scene {
     if (plan_.search) {
       for (LegendEntry& entry : search_legend(*plan_.search, canvas_.region)) entries.push_back(std::move(entry));
     }
+    if (field_) {
+      for (LegendEntry& entry : field_legend(*field_)) entries.push_back(std::move(entry));
+    }
     if (blocked_) entries.push_back({"hit", Shape::box, "where it touches or comes too near"});
     if (tight_)
       entries.push_back(
@@ -159,6 +169,13 @@ class Scene {
       svg_.polygon(a.zone, "zone");
       zones_ = true;
     }
+  }
+
+  /// So that the path stands out from what lies under it.
+  void draw_casing() {
+    std::vector<Vec2> points;
+    for (const Sample& s : plan_.samples) points.push_back({s.x, s.y});
+    if (points.size() > 1) svg_.polyline(points, "casing");
   }
 
   /// What names should keep away from.
@@ -251,6 +268,7 @@ class Scene {
   const Plan& plan_;
   Canvas canvas_;
   SvgWriter svg_;
+  std::shared_ptr<const FieldPicture> field_{};
   bool zones_ = false, others_ = false, numbered_ = false, turns_ = false, changes_ = false, spins_ = false, stops_ = false, crowded_ = false, blocked_ = false,
        tight_ = false, off_straight_ = false;
 };

@@ -80,9 +80,11 @@ void draw_scale(SvgWriter& svg, const Canvas& canvas);
 
 struct LegendEntry {
   const char* style;
-  enum class Shape { line, box, dot, square, none } shape;
+  enum class Shape { line, box, dot, square, cross, hollow, peak, trap, none } shape;  ///< cross to trap: places of a field, which have a style of their own
   std::string text;
 };
+/// Such a place, about a pixel. @pre one of cross, hollow, peak, trap
+std::string critical_mark(LegendEntry::Shape shape, double x, double y);
 /// Lines of entries from y on; returns where they end.
 double draw_legend(SvgWriter& svg, const std::vector<LegendEntry>& entries, double width, double y);
 /// Of several plans in one picture: a line each with a sample of its stroke (empty: nothing of it is drawn), wrapped where it is too long, in columns where there
