@@ -42,15 +42,12 @@ SharedDrawing potential_drawing(const PotentialOptions& options, Vec2 goal, std:
       const auto value = field.at(q);
       return value ? std::optional{value->potential} : std::nullopt;
     };
-    seen.next = [&](Vec2 q, double step) -> std::optional<Vec2> {
-      const auto value = field.at(q);
-      return value ? place_down(seen, value->gradient, q, step) : std::nullopt;
-    };
-    FieldPicture picture = field_picture(seen, region);
     const auto slope = [&](Vec2 q) -> std::optional<Vec2> {
       const auto value = field.at(q);
       return value ? std::optional{value->gradient} : std::nullopt;
     };
+    seen.next = [&](Vec2 q, double step) { return place_down(seen, slope, q, step); };
+    FieldPicture picture = field_picture(seen, region);
     mark(picture, where_slope_vanishes(picture, slope), region, goal, trap);
     return picture;
   });
@@ -62,7 +59,7 @@ SharedDrawing navigation_drawing(const SphereWorld& world, Vec2 goal, double kap
     FieldSeen seen;
     seen.name = "navigation function";
     seen.value = [&](Vec2 q) { return function.is_free(q) && q != goal ? std::optional{function.logarithm(q)} : std::nullopt; };
-    seen.next = [&](Vec2 q, double step) { return place_down(seen, function.slope(q), q, step); };
+    seen.next = [&](Vec2 q, double step) { return place_down(seen, [&](Vec2 p) { return function.is_free(p) ? std::optional{function.slope(p)} : std::nullopt; }, q, step); };
     FieldPicture picture = field_picture(seen, region);
     std::vector<Critical> points;
     for (const CriticalPoint& c : critical_points(function)) points.push_back({kind_of(function.curvature(c.at)), c.at});
@@ -125,7 +122,7 @@ SharedDrawing star_drawing(const StarWorld& world, Vec2 goal, double lambda, dou
     FieldSeen seen;
     seen.name = "navigation function, seen through the map from stars to discs";
     seen.value = [&](Vec2 q) { return navigation.map().is_free(q) && q != goal ? std::optional{navigation.function().logarithm(navigation.map().at(q).at)} : std::nullopt; };
-    seen.next = [&](Vec2 q, double step) { return place_down(seen, navigation.slope(q), q, step); };
+    seen.next = [&](Vec2 q, double step) { return place_down(seen, [&](Vec2 p) { return navigation.map().is_free(p) ? std::optional{navigation.slope(p)} : std::nullopt; }, q, step); };
     std::size_t corners = 1;
     for (const auto* rings : {&problem.world().map().boundaries, &problem.world().map().obstacles}) {
       for (const Ring& ring : *rings) corners += ring.size();
@@ -148,7 +145,7 @@ SharedDrawing wavefront_drawing(const GridFrame& frame, Wavefront front, Neighbo
     seen.name = "moves to the goal";
     seen.value = [&](Vec2 q) -> std::optional<double> {
       const std::uint32_t own = value_of(frame.cell_at(q));
-      if (own == 0) return std::nullopt;
+      if (own == 0 || !space.is_free(q)) return std::nullopt;
       // Between the four middles around it where all of them were reached, else that of its cell.
       const Vec2 in = frame.in_cells(q) - Vec2{0.5, 0.5};
       const double column = std::floor(in.x), row = std::floor(in.y), u = in.x - column, v = in.y - row;
@@ -190,7 +187,7 @@ SharedDrawing harmonic_drawing(std::shared_ptr<const HarmonicField> field) {
       return w > 0.0 ? std::optional{-std::log(w)} : std::nullopt;
     };
     seen.next = [&](Vec2 q, double step) -> std::optional<Vec2> {
-      if (auto next = place_down(seen, -field->at(q).gradient, q, step)) return next;
+      if (auto next = place_down(seen, [&](Vec2 p) { return std::optional{-field->at(p).gradient}; }, q, step)) return next;
       const Cell c = frame.cell_at(q);
       std::optional<Cell> best;
       for (const Cell to : {Cell{c.column + 1, c.row}, Cell{c.column - 1, c.row}, Cell{c.column, c.row + 1}, Cell{c.column, c.row - 1}}) {

@@ -115,10 +115,8 @@ int turns_of(const std::array<Vec2, 4>& g) {
   return turns;
 }
 
-using Slope = std::function<std::optional<Vec2>(Vec2)>;
-
 /// Empty where one of the corners has none.
-std::optional<std::array<Vec2, 4>> slopes_around(const Slope& slope, Vec2 low, double side) {
+std::optional<std::array<Vec2, 4>> slopes_around(const FieldSlope& slope, Vec2 low, double side) {
   std::array<Vec2, 4> g{};
   const std::array<Vec2, 4> corners{low, low + Vec2{side, 0}, low + Vec2{side, side}, low + Vec2{0, side}};
   for (std::size_t k = 0; k < 4; ++k) {
@@ -150,18 +148,27 @@ FieldPicture field_picture(const FieldSeen& field, const Box& region) {
   return picture;
 }
 
-std::optional<Vec2> place_down(const FieldSeen& field, Vec2 slope, Vec2 from, double step) {
-  const double steep = norm(slope);
+std::optional<Vec2> place_down(const FieldSeen& field, const FieldSlope& slope, Vec2 from, double step) {
+  const auto down_at = [&](Vec2 q) -> std::optional<Vec2> {
+    const auto uphill = slope(q);
+    const double steep = uphill ? norm(*uphill) : 0.0;
+    return steep > 0.0 && std::isfinite(steep) ? std::optional{(-1.0 / steep) * *uphill} : std::nullopt;
+  };
   const auto here = field.value(from);
-  if (!here || !(steep > 0.0) || !std::isfinite(steep)) return std::nullopt;
+  const auto first = here ? down_at(from) : std::nullopt;
+  if (!first) return std::nullopt;
+  const auto falls_at = [&](Vec2 next) {
+    const auto there = field.value(next);
+    return there && *there < *here;
+  };
   for (int k = 0; k < halvings; ++k, step *= 0.5) {
-    const Vec2 next = from - (step / steep) * slope;
-    if (const auto there = field.value(next); there && *there < *here) return next;
+    if (const auto halfway = down_at(from + (0.5 * step) * *first); halfway && falls_at(from + step * *halfway)) return from + step * *halfway;
+    if (falls_at(from + step * *first)) return from + step * *first;
   }
   return std::nullopt;
 }
 
-std::vector<FieldPicture::Critical> where_slope_vanishes(const FieldPicture& picture, const Slope& slope) {
+std::vector<FieldPicture::Critical> where_slope_vanishes(const FieldPicture& picture, const FieldSlope& slope) {
   using Kind = FieldPicture::Critical::Kind;
   std::vector<std::optional<Vec2>> known(picture.shares.size());
   for (std::size_t i = 0; i < known.size(); ++i) {

@@ -22,11 +22,15 @@ struct FieldSeen {
 /// Values of a region's nodes and streamlines that keep apart. Work is bounded by `most_values` nodes and as many steps as fill the region with lines.
 FieldPicture field_picture(const FieldSeen& field, const Box& region);
 
-/// The place `step` down a slope (uphill, of any length), or as near as half of that, a quarter … down to a hundredth of it, so that the value falls. Empty where it falls at none.
-std::optional<Vec2> place_down(const FieldSeen& field, Vec2 slope, Vec2 from, double step);
+/// Uphill, of any length; empty where there is no field.
+using FieldSlope = std::function<std::optional<Vec2>(Vec2)>;
+
+/// The place `step` down, along the slope halfway there (which does not go to and fro across a valley), or as near as half of that, a quarter … down to a hundredth of it,
+/// so that the value falls. Empty where it falls at none.
+std::optional<Vec2> place_down(const FieldSeen& field, const FieldSlope& slope, Vec2 from, double step);
 
 /// Where a slope that is continuous vanishes, between nodes of the picture: each square around whose corners it turns by a whole turn is halved until it is as small as
 /// numbers tell. Two of them in one square that undo each other are not seen, nor is one in a square with a corner without a field.
-std::vector<FieldPicture::Critical> where_slope_vanishes(const FieldPicture& picture, const std::function<std::optional<Vec2>(Vec2)>& slope);
+std::vector<FieldPicture::Critical> where_slope_vanishes(const FieldPicture& picture, const FieldSlope& slope);
 
 }  // namespace waywright
