@@ -17,7 +17,7 @@ constexpr double faintest = 0.03, strongest = 0.58;      // of the tint
 constexpr int tints = 40;
 constexpr std::size_t most_contour_points = 9000, most_stream_points = 6000;
 constexpr double finest = 0.3, coarsest = 3.0;           // px off a line that is drawn
-constexpr double least_contour = 6.0;                    // px: shorter closed ones are specks
+constexpr double least_closed = 6.0, least_open = 24.0;  // px: shorter contours are specks, most of them between a wall and the nodes beside it
 constexpr double head_long = 6.0, head_wide = 3.2, between_heads = 110.0;  // px
 
 double strength(double share) { return faintest + (strongest - faintest) * share; }
@@ -108,7 +108,7 @@ std::vector<Stroke> contours(const SvgWriter& svg, const FieldPicture& field) {
       for (const ContourLine& contour : contour_lines(field.shares, field.columns, field.rows, field.levels[k])) {
         Stroke line{{}, contour.is_closed};
         for (const Vec2 p : contour.points) line.points.push_back(svg.view()(field.origin + field.cell * p));
-        if (length_in_pixels(line) >= least_contour) all.push_back(std::move(line));
+        if (length_in_pixels(line) >= (line.is_closed ? least_closed : least_open)) all.push_back(std::move(line));
       }
     }
     lines = thinned_to(all, most_contour_points);

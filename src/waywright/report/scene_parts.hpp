@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "waywright/judge/plan.hpp"
+#include "waywright/report/label_room.hpp"
 #include "waywright/report/svg_writer.hpp"
 #include "waywright/scenario/problem.hpp"
 
@@ -68,9 +69,10 @@ struct Label {
   std::string below = {};  ///< a second, smaller line; may be empty
 };
 /// Writes beside a point, on the side that `away` points to (pixels), moved into the map where it would be cut off.
-void label_beside(SvgWriter& svg, const Canvas& canvas, Vec2 point, Vec2 away, const Label& label);
+/// With `room`, on the side nearest to that one on which least is hidden; what is written there is taken then.
+void label_beside(SvgWriter& svg, const Canvas& canvas, Vec2 point, Vec2 away, const Label& label, LabelRoom* room = nullptr);
 /// The tightest spot of a certificate, with its clearance: of the footprint at its pose to the obstacle's point.
-void draw_tightest_spot(SvgWriter& svg, const Canvas& canvas, const Footprint& footprint, const Certificate& certificate, bool has_pose_error, bool is_proven);
+void draw_tightest_spot(SvgWriter& svg, const Canvas& canvas, const Footprint& footprint, const Certificate& certificate, bool has_pose_error, bool is_proven, LabelRoom* room = nullptr);
 /// The footprint's point nearest to an obstacle's.
 Vec2 point_on(const Footprint& footprint, const Pose& pose, Vec2 obstacle);
 
