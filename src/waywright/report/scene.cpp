@@ -59,13 +59,13 @@ class Scene {
     numbered_ = draw_map(svg_, problem_.scenario(), canvas_.region);
     if (plan_.replanned) draw_replanned(svg_, *plan_.replanned);
     if (plan_.search) draw_search(svg_, *plan_.search, canvas_.region);
+    take_room();
     if (field_) svg_.open_group("onfield");
     draw_sweep(svg_, problem_.footprint(), plan_.samples);
     draw_alternatives();
     if (field_) draw_casing();
     draw_path(svg_, plan_.samples);
     if (field_) svg_.close_group();
-    take_room();
     draw_moving(svg_, canvas_, plan_, room_);
     draw_zone_names(svg_, problem_.scenario().zones, canvas_.region, room_);
     draw_stops();
@@ -236,7 +236,7 @@ class Scene {
                                : a.is_length ? fmt::format("{}: {:.2f} m", a.name, *a.cost)
                                             : fmt::format("{}: cost {:.3f}", a.name, *a.cost);
       const Vec2 at = calm_point(points, busy);
-      label_beside(svg_, canvas_, at, {1.0, 0.0}, {text, "note"});
+      label_beside(svg_, canvas_, at, {1.0, 0.0}, {text, "note"}, &room_);
       busy.push_back(at);
     }
   }
