@@ -137,7 +137,7 @@ class Scene {
       for (LegendEntry& entry : search_legend(*plan_.search, canvas_.region)) entries.push_back(std::move(entry));
     }
     if (field_) {
-      for (LegendEntry& entry : field_legend(*field_)) entries.push_back(std::move(entry));
+      for (LegendEntry& entry : field_legend(*field_, canvas_.view)) entries.push_back(std::move(entry));
     }
     if (blocked_) entries.push_back({"hit", Shape::box, "where it touches or comes too near"});
     if (tight_)
@@ -192,6 +192,12 @@ class Scene {
         const Box box = bounding_box(ring);
         const Vec2 middle = canvas_.view(0.5 * (box.low + box.high)), half{8.0, 8.0};
         room_.take(Box{middle - half, middle + half});
+      }
+    }
+    if (field_) {
+      for (const FieldPicture::Critical& c : field_->critical) {
+        const Vec2 at = canvas_.view(c.at), half{7.0, 7.0};
+        room_.take(Box{at - half, at + half});
       }
     }
     const double end = plan_.samples.empty() ? 0.0 : plan_.samples.back().t;

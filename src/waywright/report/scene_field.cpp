@@ -149,8 +149,21 @@ std::string heads(const std::vector<Stroke>& lines) {
 
 using Kind = FieldPicture::Critical::Kind;
 
-std::size_t count_of(const FieldPicture& field, Kind kind) {
-  return static_cast<std::size_t>(std::count_if(field.critical.begin(), field.critical.end(), [&](const FieldPicture::Critical& c) { return c.kind == kind; }));
+std::size_t count_of(const std::vector<FieldPicture::Critical>& critical, Kind kind) {
+  return static_cast<std::size_t>(std::count_if(critical.begin(), critical.end(), [&](const FieldPicture::Critical& c) { return c.kind == kind; }));
+}
+
+/// Those that are drawn, what matters most first.
+std::vector<FieldPicture::Critical> marked(const FieldPicture& field, const View& view) {
+  constexpr double room = 8.0;  // px
+  std::vector<FieldPicture::Critical> marks;
+  for (const Kind kind : {Kind::trap, Kind::minimum, Kind::saddle, Kind::maximum}) {
+    for (const FieldPicture::Critical& c : field.critical) {
+      if (c.kind != kind || std::any_of(marks.begin(), marks.end(), [&](const FieldPicture::Critical& other) { return distance(view(other.at), view(c.at)) < room; })) continue;
+      marks.push_back(c);
+    }
+  }
+  return marks;
 }
 
 }  // namespace
@@ -168,7 +181,9 @@ void draw_field(SvgWriter& svg, const FieldPicture& field) {
 }
 
 void draw_field_marks(SvgWriter& svg, const FieldPicture& field) {
-  for (const FieldPicture::Critical& c : field.critical) {
+  std::vector<FieldPicture::Critical> marks = marked(field, svg.view());
+  std::reverse(marks.begin(), marks.end());  // the trap lies on top
+  for (const FieldPicture::Critical& c : marks) {
     const Vec2 p = svg.view()(c.at);
     const std::string shape = critical_mark(c.kind == Kind::saddle    ? LegendEntry::Shape::cross
                                             : c.kind == Kind::minimum ? LegendEntry::Shape::hollow
@@ -179,20 +194,21 @@ void draw_field_marks(SvgWriter& svg, const FieldPicture& field) {
   }
 }
 
-std::vector<LegendEntry> field_legend(const FieldPicture& field) {
+std::vector<LegendEntry> field_legend(const FieldPicture& field, const View& view) {
   using Shape = LegendEntry::Shape;
   std::vector<LegendEntry> entries;
   entries.push_back({"fieldbar", Shape::box, field.name + ", from low at the goal to high, by rank"});
   entries.push_back({"contour", Shape::line, "equal values"});
   if (!field.streamlines.empty()) entries.push_back({"stream", Shape::line, "the way down"});
+  const std::vector<FieldPicture::Critical> marks = marked(field, view);
   const auto counted = [&](Kind kind, const char* one, const char* more) {
-    const std::size_t n = count_of(field, kind);
-    return n == 1 ? std::string{one} : fmt::format("{} {}", n, more);
+    const std::size_t n = count_of(field.critical, kind), drawn = count_of(marks, kind);
+    return n == 1 ? std::string{one} : fmt::format("{} {}{}", n, more, drawn < n ? fmt::format("; {} have room", drawn) : std::string{});
   };
-  if (count_of(field, Kind::trap) > 0) entries.push_back({"", Shape::trap, "the trap: the run ended here"});
-  if (count_of(field, Kind::minimum) > 0) entries.push_back({"", Shape::hollow, counted(Kind::minimum, "local minimum, another trap than the goal", "local minima, traps all")});
-  if (count_of(field, Kind::saddle) > 0) entries.push_back({"", Shape::cross, counted(Kind::saddle, "saddle: the way down parts", "saddles: the way down parts")});
-  if (count_of(field, Kind::maximum) > 0) entries.push_back({"", Shape::peak, counted(Kind::maximum, "local maximum", "local maxima")});
+  if (count_of(field.critical, Kind::trap) > 0) entries.push_back({"", Shape::trap, "the trap: the run ended here"});
+  if (count_of(field.critical, Kind::minimum) > 0) entries.push_back({"", Shape::hollow, counted(Kind::minimum, "local minimum, another trap than the goal", "local minima, each a trap")});
+  if (count_of(field.critical, Kind::saddle) > 0) entries.push_back({"", Shape::cross, counted(Kind::saddle, "saddle: the way down parts", "saddles: the way down parts")});
+  if (count_of(field.critical, Kind::maximum) > 0) entries.push_back({"", Shape::peak, counted(Kind::maximum, "local maximum", "local maxima")});
   return entries;
 }
 

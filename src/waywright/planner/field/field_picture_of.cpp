@@ -10,7 +10,7 @@ namespace waywright {
 namespace {
 
 constexpr int most_across = 220;          // nodes along the longer side
-constexpr double lines_across = 20.0;     // streamlines side by side along it
+constexpr double lines_across = 20.0;     // streamlines side by side along the side of a square as large
 constexpr double near_share = 0.45;       // of their distance: nearer than that to an earlier one a line ends
 constexpr double shortest_line = 1.5;     // in their distances
 constexpr double step_of_cell = 0.5;
@@ -70,7 +70,7 @@ void rank(std::vector<double>& values) {
 }
 
 void trace(const FieldSeen& field, const Box& region, FieldPicture& picture) {
-  const double apart = std::max(region.high.x - region.low.x, region.high.y - region.low.y) / lines_across;
+  const double apart = std::max(std::sqrt((region.high.x - region.low.x) * (region.high.y - region.low.y)) / lines_across, picture.cell);
   // From the highest places on, so that lines are long.
   std::vector<std::size_t> seeds;
   const int every = std::max(1, static_cast<int>(apart / picture.cell));
