@@ -14,6 +14,7 @@ using Kind = Critical::Kind;
 
 constexpr double at_goal = 1.5, at_trap = 3.0;  // cells: what is nearer is the same place
 constexpr int images_across = 48, newton_steps = 60;
+constexpr std::int64_t potential_work = 10'000'000, least_values = 256;  // edges in reach that are looked at for values
 constexpr std::int64_t star_work = 6'000'000;   // corners of rims that are looked at for values
 
 SharedDrawing drawing(FieldDrawing::Draw draw) { return std::make_shared<const FieldDrawing>(std::move(draw)); }
@@ -28,6 +29,19 @@ void mark(FieldPicture& picture, std::vector<Critical> points, const Box& region
   picture.critical = std::move(points);
 }
 
+/// On average of some places of the region.
+std::int64_t edges_in_reach(const PlaneSpace& space, double reach, const Box& region) {
+  constexpr int side = 5;
+  const World& world = space.problem().world();
+  if (world.index().empty()) return 0;
+  std::int64_t edges = 0;
+  for (int i = 0; i < side * side; ++i) {
+    const Vec2 share{(i % side + 0.5) / side, (i / side + 0.5) / side}, size = region.high - region.low;
+    world.index().visit(region.low + Vec2{share.x * size.x, share.y * size.y}, reach + space.disc() + space.problem().required_clearance(), [&](const Segment&) { ++edges; });
+  }
+  return edges / (side * side);
+}
+
 Kind kind_of(const SymmetricMatrix& m) { return m.determinant() < 0.0 ? Kind::saddle : m.xx > 0.0 ? Kind::minimum : Kind::maximum; }
 
 }  // namespace
@@ -36,14 +50,30 @@ SharedDrawing potential_drawing(const PotentialOptions& options, Vec2 goal, std:
   return drawing([=](const Problem& problem, const Box& region) {
     const PlaneSpace space{problem};
     const PotentialField field{space, options, goal};
+    // Value and slope are asked for at the same place one after another, and looking for edges is what costs.
+    struct Asked {
+      Vec2 at{};
+      std::optional<PotentialField::Value> value;
+    };
+    std::vector<Asked> latest;
+    std::size_t oldest = 0;
+    const auto at = [&](Vec2 q) {
+      for (const Asked& asked : latest) {
+        if (asked.at == q) return asked.value;
+      }
+      Asked asked{q, field.at(q)};
+      if (latest.size() < 4) return latest.emplace_back(asked).value;
+      return (latest[oldest++ % 4] = asked).value;
+    };
     FieldSeen seen;
     seen.name = "potential";
+    seen.most_values = std::clamp(potential_work / (edges_in_reach(space, options.reach, region) + 1), least_values, seen.most_values);
     seen.value = [&](Vec2 q) -> std::optional<double> {
-      const auto value = field.at(q);
+      const auto value = at(q);
       return value ? std::optional{value->potential} : std::nullopt;
     };
     const auto slope = [&](Vec2 q) -> std::optional<Vec2> {
-      const auto value = field.at(q);
+      const auto value = at(q);
       return value ? std::optional{value->gradient} : std::nullopt;
     };
     seen.next = [&](Vec2 q, double step) { return place_down(seen, slope, q, step); };

@@ -14,7 +14,7 @@ constexpr double lines_across = 20.0;     // streamlines side by side along the 
 constexpr double near_share = 0.45;       // of their distance: nearer than that to an earlier one a line ends
 constexpr double shortest_line = 1.5;     // in their distances
 constexpr double step_of_cell = 0.5;
-constexpr int halvings = 7, squares_halved = 40;
+constexpr int halvings = 7, squares_halved = 20;
 
 /// Where streamlines are already.
 class Taken {
@@ -82,13 +82,15 @@ void trace(const FieldSeen& field, const Box& region, FieldPicture& picture) {
   }
   std::stable_sort(seeds.begin(), seeds.end(), [&](std::size_t a, std::size_t b) { return picture.shares[a] > picture.shares[b]; });
   Taken taken{region, apart};
+  std::int64_t steps_left = 2 * field.most_values;
   const double step = step_of_cell * picture.cell;
   const auto most_steps = static_cast<std::size_t>(40 * most_across);
   for (const std::size_t seed : seeds) {
     Polyline line{node(picture, seed)};
     if (taken.is_near(line.front(), 0.8 * apart)) continue;
+    if (steps_left <= 0) return;
     double way = 0.0;
-    while (line.size() < most_steps && region.contains(line.back())) {
+    while (line.size() < most_steps && steps_left-- > 0 && region.contains(line.back())) {
       const auto next = field.next(line.back(), step);
       if (!next) break;
       way += distance(line.back(), *next);
@@ -115,16 +117,29 @@ int turns_of(const std::array<Vec2, 4>& g) {
   return turns;
 }
 
-/// Empty where one of the corners has none.
-std::optional<std::array<Vec2, 4>> slopes_around(const FieldSlope& slope, Vec2 low, double side) {
+/// Corners of a square, counter-clockwise from the lower left one, and the slopes there.
+struct TurningSquare {
+  Vec2 low{};
+  double side = 0.0;
   std::array<Vec2, 4> g{};
-  const std::array<Vec2, 4> corners{low, low + Vec2{side, 0}, low + Vec2{side, side}, low + Vec2{0, side}};
-  for (std::size_t k = 0; k < 4; ++k) {
-    const auto at = slope(corners[k]);
-    if (!at) return std::nullopt;
-    g[k] = *at;
+};
+
+/// The quarter of a square that the slope turns around as often; empty where none is.
+std::optional<TurningSquare> turning_quarter(const FieldSlope& slope, const TurningSquare& whole) {
+  const double half = 0.5 * whole.side;
+  const auto at = [&](double x, double y) { return slope(whole.low + Vec2{x * half, y * half}); };
+  const auto middle = at(1, 1), below = at(1, 0), right = at(2, 1), above = at(1, 2), left = at(0, 1);
+  if (!middle || !below || !right || !above || !left) return std::nullopt;
+  const int turns = turns_of(whole.g);
+  const auto& g = whole.g;
+  const std::array<TurningSquare, 4> quarters{{{whole.low, half, {g[0], *below, *middle, *left}},
+                                               {whole.low + Vec2{half, 0}, half, {*below, g[1], *right, *middle}},
+                                               {whole.low + Vec2{half, half}, half, {*middle, *right, g[2], *above}},
+                                               {whole.low + Vec2{0, half}, half, {*left, *middle, *above, g[3]}}}};
+  for (const TurningSquare& quarter : quarters) {
+    if (turns_of(quarter.g) == turns) return quarter;
   }
-  return g;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -178,30 +193,19 @@ std::vector<FieldPicture::Critical> where_slope_vanishes(const FieldPicture& pic
   const auto columns = static_cast<std::size_t>(picture.columns);
   for (std::size_t i = 0; i + columns + 1 < known.size(); ++i) {
     if (i % columns + 1 == columns || !known[i] || !known[i + 1] || !known[i + columns] || !known[i + columns + 1]) continue;
-    std::array<Vec2, 4> g{*known[i], *known[i + 1], *known[i + columns + 1], *known[i + columns]};
-    const int turns = turns_of(g);
+    TurningSquare square{node(picture, i), picture.cell, {*known[i], *known[i + 1], *known[i + columns + 1], *known[i + columns]}};
+    const int turns = turns_of(square.g);
     if (turns == 0) continue;
-    Vec2 low = node(picture, i);
-    double side = picture.cell;
     for (int halved = 0; halved < squares_halved; ++halved) {
-      const double half = 0.5 * side;
-      std::optional<Vec2> in;
-      for (const Vec2 at : {low, low + Vec2{half, 0}, low + Vec2{0, half}, low + Vec2{half, half}}) {
-        const auto part = slopes_around(slope, at, half);
-        if (!part || turns_of(*part) != turns) continue;
-        in = at;
-        g = *part;
-        break;
-      }
-      if (!in) break;
-      low = *in;
-      side = half;
+      const auto quarter = turning_quarter(slope, square);
+      if (!quarter) break;
+      square = *quarter;
     }
     // Around a minimum the slope points outwards.
     double outwards = 0.0;
     const std::array<Vec2, 4> from_middle{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
-    for (std::size_t k = 0; k < 4; ++k) outwards += dot(g[k], from_middle[k]);
-    found.push_back({turns < 0 ? Kind::saddle : outwards > 0.0 ? Kind::minimum : Kind::maximum, low + 0.5 * Vec2{side, side}});
+    for (std::size_t k = 0; k < 4; ++k) outwards += dot(square.g[k], from_middle[k]);
+    found.push_back({turns < 0 ? Kind::saddle : outwards > 0.0 ? Kind::minimum : Kind::maximum, square.low + 0.5 * Vec2{square.side, square.side}});
   }
   return found;
 }

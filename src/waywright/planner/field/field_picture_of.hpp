@@ -19,7 +19,7 @@ struct FieldSeen {
   std::int64_t most_values = 40'000;                            ///< nodes: what asking costs bounds how many there are
 };
 
-/// Values of a region's nodes and streamlines that keep apart. Work is bounded by `most_values` nodes and as many steps as fill the region with lines.
+/// Values of a region's nodes and streamlines that keep apart. Work is bounded by `most_values` nodes and twice as many steps of all lines.
 FieldPicture field_picture(const FieldSeen& field, const Box& region);
 
 /// Uphill, of any length; empty where there is no field.
@@ -29,8 +29,8 @@ using FieldSlope = std::function<std::optional<Vec2>(Vec2)>;
 /// so that the value falls. Empty where it falls at none.
 std::optional<Vec2> place_down(const FieldSeen& field, const FieldSlope& slope, Vec2 from, double step);
 
-/// Where a slope that is continuous vanishes, between nodes of the picture: each square around whose corners it turns by a whole turn is halved until it is as small as
-/// numbers tell. Two of them in one square that undo each other are not seen, nor is one in a square with a corner without a field.
+/// Where a slope that is continuous vanishes, between nodes of the picture: each square around whose corners it turns by a whole turn is quartered twenty times. Two of
+/// them in one square that undo each other are not seen, nor is one in a square with a corner without a field.
 std::vector<FieldPicture::Critical> where_slope_vanishes(const FieldPicture& picture, const FieldSlope& slope);
 
 }  // namespace waywright
