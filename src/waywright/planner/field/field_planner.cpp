@@ -136,12 +136,12 @@ class FieldPlanner::Ready {
     if (descent.ended != DescentEnd::goal) {
       PlanningFailure failed = trapped(descent, goal->at, std::move(text), name, budget);
       const bool is_trap = descent.ended == DescentEnd::local_minimum || descent.ended == DescentEnd::oscillation;
-      failed.field = field_drawn(is_trap ? std::optional{descent.last} : std::nullopt);
+      if (field_drawn) failed.field = field_drawn(is_trap ? std::optional{descent.last} : std::nullopt);
       return tl::unexpected{std::move(failed)};
     }
     descent.points.push_back(goal->at);
     PlanningResult plan = finished_plan(space_, rounded_path(space_, *start, thinned_way(space_, descent.points, thinning), *goal), *start, *goal, std::move(text), budget);
-    if (plan) plan->field = field_drawn(std::nullopt);
+    if (plan && field_drawn) plan->field = field_drawn(std::nullopt);
     return plan;
   }
 

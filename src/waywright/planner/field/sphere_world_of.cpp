@@ -98,7 +98,8 @@ tl::expected<CoveringWorld, std::string> covering_world(const PlaneSpace& space,
   const NavigationFunction any{covering.world, goals.front(), 1.0};
   const auto reached = std::find_if(goals.begin(), goals.end(), [&](Vec2 goal) { return any.is_free(goal); });
   covering.goal = reached == goals.end() ? goals.front() : *reached;
-  for (const auto& [what, at] : {std::pair{"start", start}, std::pair{goals.size() == 1 ? "goal" : "nearest place of the goal's region, like all others of it,", covering.goal}}) {
+  for (const auto& [what, place] : {std::pair{"start", start}, std::pair{goals.size() == 1 ? "goal" : "nearest place of the goal's region, like all others of it,", covering.goal}}) {
+    const Vec2 at = place;  // a lambda of C++20 may not take a part of a binding, and clang 14 holds to that
     if (any.is_free(at)) continue;
     const auto within = std::find_if(covering.world.obstacles.begin(), covering.world.obstacles.end(), [&](const Disc& d) { return distance(d.centre, at) <= d.radius; });
     return unexpected{within == covering.world.obstacles.end()
