@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "waywright/core/result.hpp"
+#include "waywright/judge/field_picture.hpp"
 #include "waywright/judge/search_picture.hpp"
 #include "waywright/metrics/metrics.hpp"
 #include "waywright/path/path.hpp"
@@ -115,6 +117,7 @@ struct Plan {
   std::vector<Alternative> alternatives;
   std::optional<Optimality> optimality;
   std::optional<SearchPicture> search;  ///< for pictures; in no file
+  std::shared_ptr<const FieldDrawing> field;  ///< likewise; empty: the planner goes down none
   std::optional<Replanned> replanned;   ///< likewise
   std::vector<Wait> waits;              ///< of its samples, for words and pictures; in no file
   std::optional<Hindrance> hindrance;   ///< likewise; then it is not proven

@@ -24,6 +24,7 @@ struct Planned {
   std::vector<Alternative> alternatives;  ///< what was tried
   std::optional<Optimality> optimality{};
   std::optional<SearchPicture> search{};
+  std::shared_ptr<const FieldDrawing> field{};  ///< that the path leads down
   bool begins_in_motion = false;          ///< the path begins at problem.first_pose(), though the vehicle moves there
 };
 
@@ -33,6 +34,7 @@ struct PlanningFailure {
   std::vector<std::string> explanation;
   std::vector<Alternative> alternatives;
   std::optional<SearchPicture> search{};
+  std::shared_ptr<const FieldDrawing> field{};
 };
 
 using PlanningResult = tl::expected<Planned, PlanningFailure>;

@@ -50,6 +50,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
     plan.alternatives = std::move(result->alternatives);
     plan.optimality = result->optimality;
     plan.search = std::move(result->search);
+    plan.field = std::move(result->field);
     if (problem.motion() && !description->goes_on_in_motion) plan.explanation.insert(plan.explanation.begin(), stop_sentence(problem));
     if (plan.hindrance) {
       plan.planner = description->name;
@@ -79,6 +80,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
     plan.explanation = std::move(result.error().explanation);
     plan.alternatives = std::move(result.error().alternatives);
     plan.search = std::move(result.error().search);
+    plan.field = std::move(result.error().field);
   }
   const bool heeds_zones = description->heeds_zones && description->heeds_zones(*parameters);
   if (std::string sentence = unheeded_zones_sentence(problem, description->name, heeds_zones); !sentence.empty()) plan.explanation.push_back(std::move(sentence));

@@ -52,7 +52,15 @@ class MissionScene {
       for (const LegView& leg : legs_) draw_turning_points(leg);
       for (const Leg& leg : mission.legs) draw_waypoints_of(leg);
     }
-    if (!is_small) draw_zone_names(svg_, mission.zones, canvas_.region);
+    if (!is_small) {
+      LabelRoom room;
+      for (const LegView& leg : legs_) {
+        std::vector<Vec2> way;
+        for (const Sample& sample : leg.samples) way.push_back(canvas_.view({sample.x, sample.y}));
+        room.take_line(way);
+      }
+      draw_zone_names(svg_, mission.zones, canvas_.region, room);
+    }
     draw_ends();
     for (std::size_t i = 0; i < legs_.size(); ++i) draw_number(i);
     draw_spots(is_small);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "waywright/geometry/polygon.hpp"
+#include "waywright/report/scene_field.hpp"
 #include "waywright/report/scene_moving.hpp"
 #include "waywright/report/scene_parts.hpp"
 #include "waywright/report/scene_search.hpp"
@@ -50,19 +51,26 @@ class Scene {
   Scene(const Problem& problem, const Plan& plan, const Canvas& canvas) : problem_{problem}, plan_{plan}, canvas_{canvas}, svg_{canvas_.view} {}
 
   void draw() {
+    if (plan_.field) field_ = plan_.field->of(problem_, canvas_.region);
     open_map(svg_, canvas_);
+    if (field_) draw_field(svg_, *field_);
     draw_zone_areas(svg_, problem_.scenario().zones);
     draw_zones();
     numbered_ = draw_map(svg_, problem_.scenario(), canvas_.region);
     if (plan_.replanned) draw_replanned(svg_, *plan_.replanned);
     if (plan_.search) draw_search(svg_, *plan_.search, canvas_.region);
+    take_room();
+    if (field_) svg_.open_group("onfield");
     draw_sweep(svg_, problem_.footprint(), plan_.samples);
     draw_alternatives();
+    if (field_) draw_casing();
     draw_path(svg_, plan_.samples);
-    draw_moving(svg_, canvas_, plan_);
-    draw_zone_names(svg_, problem_.scenario().zones, canvas_.region);
+    if (field_) svg_.close_group();
+    draw_moving(svg_, canvas_, plan_, room_);
+    draw_zone_names(svg_, problem_.scenario().zones, canvas_.region, room_);
     draw_stops();
-    draw_waits(svg_, canvas_, plan_);
+    if (field_) draw_field_marks(svg_, *field_);
+    draw_waits(svg_, canvas_, plan_, room_);
     draw_waypoints(svg_, problem_.scenario());
     draw_vehicle(svg_, problem_.footprint(), problem_.first_pose(), "S");
     draw_goal(svg_, problem_, plan_, end_name());
@@ -128,6 +136,9 @@ class Scene {
     if (plan_.search) {
       for (LegendEntry& entry : search_legend(*plan_.search, canvas_.region)) entries.push_back(std::move(entry));
     }
+    if (field_) {
+      for (LegendEntry& entry : field_legend(*field_, canvas_.view)) entries.push_back(std::move(entry));
+    }
     if (blocked_) entries.push_back({"hit", Shape::box, "where it touches or comes too near"});
     if (tight_)
       entries.push_back(
@@ -161,6 +172,49 @@ class Scene {
     }
   }
 
+  /// Path, vehicle at its ends and where it turns, and what moves: names keep off them.
+  void take_room() {
+    const auto line = [&](const std::vector<Vec2>& points, bool is_closed) {
+      std::vector<Vec2> pixels;
+      for (const Vec2 p : points) pixels.push_back(canvas_.view(p));
+      if (is_closed && !pixels.empty()) pixels.push_back(pixels.front());
+      room_.take_line(pixels);
+    };
+    std::vector<Vec2> way;
+    for (const Sample& s : plan_.samples) way.push_back({s.x, s.y});
+    line(way, false);
+    for (const Pose& pose : {problem_.first_pose(), problem_.last_pose()}) line(outline_at(problem_.footprint(), pose), true);
+    for (std::size_t i = 1; i < plan_.samples.size(); ++i) {
+      if (is_direction_change(plan_.samples[i - 1], plan_.samples[i])) line(outline_at(problem_.footprint(), plan_.samples[i].pose()), true);
+    }
+    if (numbered_) {
+      for (const Ring& ring : problem_.scenario().map.obstacles) {
+        const Box box = bounding_box(ring);
+        const Vec2 middle = canvas_.view(0.5 * (box.low + box.high)), half{8.0, 8.0};
+        room_.take(Box{middle - half, middle + half});
+      }
+    }
+    if (field_) {
+      for (const FieldPicture::Critical& c : field_->critical) {
+        const Vec2 at = canvas_.view(c.at), half{7.0, 7.0};
+        room_.take(Box{at - half, at + half});
+      }
+    }
+    const double end = plan_.samples.empty() ? 0.0 : plan_.samples.back().t;
+    for (const MovingObstacle& obstacle : plan_.scenario.moving) {
+      std::vector<double> times{0.0, end};
+      for (const Wait& wait : plan_.waits) times.push_back(wait.from);
+      for (const double t : times) line(outline_at(obstacle.footprint, obstacle.at(t)), true);
+    }
+  }
+
+  /// So that the path stands out from what lies under it.
+  void draw_casing() {
+    std::vector<Vec2> points;
+    for (const Sample& s : plan_.samples) points.push_back({s.x, s.y});
+    if (points.size() > 1) svg_.polyline(points, "casing");
+  }
+
   /// What names should keep away from.
   std::vector<Vec2> busy_points() const {
     std::vector<Vec2> busy;
@@ -188,7 +242,7 @@ class Scene {
                                : a.is_length ? fmt::format("{}: {:.2f} m", a.name, *a.cost)
                                             : fmt::format("{}: cost {:.3f}", a.name, *a.cost);
       const Vec2 at = calm_point(points, busy);
-      label_beside(svg_, canvas_, at, {1.0, 0.0}, {text, "note"});
+      label_beside(svg_, canvas_, at, {1.0, 0.0}, {text, "note"}, &room_);
       busy.push_back(at);
     }
   }
@@ -197,6 +251,7 @@ class Scene {
     // Where many are near each other (along a Voronoi diagram of cells, say), they would hide each other and the path.
     constexpr double room = 18.0, least = 8.0;  // px between letters, between marks
     constexpr double same = 0.01;               // px: a turn on the spot has a mark at its begin and at its end
+    const double spin_room = std::max(least, 0.6 * problem_.footprint().radius() * canvas_.view.scale);  // outlines one upon another tell nothing
     std::vector<Vec2> letters{canvas_.view(problem_.first_pose().position()), canvas_.view(problem_.last_pose().position())}, outlines, squares;
     const auto has_room = [&](std::vector<Vec2>& taken, Vec2 at, double apart, double up_to = 0.0) {
       const Vec2 p = canvas_.view(at);
@@ -210,8 +265,13 @@ class Scene {
       const Pose pose = plan_.samples[i].pose();
       const bool is_spin = plan_.samples[i - 1].direction == 0 || plan_.samples[i].direction == 0;
       // Changes of direction are all there: each is a place that somebody looks for.
-      if (!is_spin || has_room(outlines, pose.position(), least, same)) draw_vehicle(svg_, problem_.footprint(), pose, !is_spin || has_room(letters, pose.position(), room) ? "T" : "");
-      else crowded_ = true;
+      if (!is_spin || has_room(outlines, pose.position(), spin_room, same)) {
+        if (is_spin) svg_.open_group("spinmark");
+        draw_vehicle(svg_, problem_.footprint(), pose, !is_spin || has_room(letters, pose.position(), room) ? "T" : "");
+        if (is_spin) svg_.close_group();
+      } else {
+        crowded_ = true;
+      }
       turns_ = true;
       (plan_.samples[i - 1].direction == 0 || plan_.samples[i].direction == 0 ? spins_ : changes_) = true;
     }
@@ -236,14 +296,14 @@ class Scene {
     if (plan_.samples.empty() || !c.tightest || is_beyond_measure(c)) return;
     tight_ = true;
     blocked_ = !c.collision_free;
-    draw_tightest_spot(svg_, canvas_, problem_.footprint(), c, problem_.pose_error_margin() > 0.0, plan_.status == Status::solved);
+    draw_tightest_spot(svg_, canvas_, problem_.footprint(), c, problem_.pose_error_margin() > 0.0, plan_.status == Status::solved, &room_);
     if (const auto spot = c.collision_free ? tightest_off_straight(problem_, plan_) : std::nullopt) {
       off_straight_ = true;
       const Vec2 near = point_on(problem_.footprint(), spot->pose, spot->point);
       svg_.line(near, spot->point, "spotline");
       svg_.dot(near, 3.5, "spot");
       label_beside(svg_, canvas_, near, {near.x - spot->point.x, spot->point.y - near.y},
-                   {fmt::format("{:.0f} mm", 1000.0 * spot->clearance), "note"});
+                   {fmt::format("{:.0f} mm", 1000.0 * spot->clearance), "note"}, &room_);
     }
   }
 
@@ -251,6 +311,8 @@ class Scene {
   const Plan& plan_;
   Canvas canvas_;
   SvgWriter svg_;
+  std::shared_ptr<const FieldPicture> field_{};
+  LabelRoom room_{};
   bool zones_ = false, others_ = false, numbered_ = false, turns_ = false, changes_ = false, spins_ = false, stops_ = false, crowded_ = false, blocked_ = false,
        tight_ = false, off_straight_ = false;
 };
@@ -323,7 +385,13 @@ std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std:
     }
     legend.push_back({stroke, text + ")"});
   }
-  draw_zone_names(svg, scenario.zones, canvas.region);
+  LabelRoom room;
+  for (const std::vector<Vec2>& points : drawn) {
+    std::vector<Vec2> line;
+    for (const Vec2 p : points) line.push_back(canvas.view(p));
+    room.take_line(line);
+  }
+  draw_zone_names(svg, scenario.zones, canvas.region, room);
   draw_waypoints(svg, scenario);
   draw_vehicle(svg, problem.footprint(), problem.first_pose(), "S");
   const char* end_name = problem.is_driven_back() ? "E" : std::holds_alternative<Station>(scenario.mission) ? "D" : "G";

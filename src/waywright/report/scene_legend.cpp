@@ -24,6 +24,11 @@ std::string mark(const LegendEntry& entry, double x, double y) {
     case Shape::square:
       return fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"8\" height=\"8\"/>", entry.style,
                          fixed(x + 7), fixed(y - 8));
+    case Shape::cross:
+    case Shape::hollow:
+    case Shape::peak:
+    case Shape::trap:
+      return critical_mark(entry.shape, x + 11.0, y - 4.0);
     case Shape::none:
       break;
   }
@@ -64,6 +69,18 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
 }
 
 }  // namespace
+
+std::string critical_mark(LegendEntry::Shape shape, double x, double y) {
+  using Shape = LegendEntry::Shape;
+  const auto both = [&](const char* style, const std::string& d) { return fmt::format("<path class=\"markhalo\" d=\"{0}\"/><path class=\"{1}\" d=\"{0}\"/>", d, style); };
+  const auto from = [](double px, double py) { return fmt::format("M{} {}", fixed(px, 1), fixed(py, 1)); };
+  switch (shape) {
+    case Shape::cross: return both("saddle", from(x - 4, y - 4) + "l8 8m0-8l-8 8");
+    case Shape::hollow: return both("minimum", from(x - 5, y - 4) + "h10l-5 9z");
+    case Shape::peak: return both("maximum", from(x - 5, y + 4) + "h10l-5-9z");
+    default: return both("trapmark", from(x - 6, y) + "a6 6 0 1 0 12 0a6 6 0 1 0-12 0m1.8-4.2l8.4 8.4m0-8.4l-8.4 8.4");
+  }
+}
 
 double draw_overlay_legend(SvgWriter& svg, const std::vector<OverlayEntry>& entries, const std::string& shared, double width, double y) {
   constexpr double sample = 56.0, gap = 10.0, line_height = 19.0;  // px

@@ -32,7 +32,7 @@ void draw_replanned(SvgWriter& svg, const Replanned& replanned) {
   for (const Polyline& line : replanned.lines) svg.polyline(line, "appearedline");
 }
 
-void draw_moving(SvgWriter& svg, const Canvas& canvas, const Plan& plan) {
+void draw_moving(SvgWriter& svg, const Canvas& canvas, const Plan& plan, LabelRoom& room) {
   const double end = plan.samples.empty() ? 0.0 : plan.samples.back().t;
   for (std::size_t i = 0; i < plan.scenario.moving.size(); ++i) {
     const MovingObstacle& obstacle = plan.scenario.moving[i];
@@ -43,16 +43,20 @@ void draw_moving(SvgWriter& svg, const Canvas& canvas, const Plan& plan) {
     }
     svg.polygon(outline_at(obstacle.footprint, obstacle.at(end)), "movinglater");
     svg.polygon(outline_at(obstacle.footprint, obstacle.at(0.0)), "moving");
-    const Vec2 away = way.size() > 1 ? way.front() - way[1] : Vec2{1.0, 0.0};
-    label_beside(svg, canvas, way.front(), {away.x, -away.y}, {title_of(obstacle, i), "note"});
+    // Beside its outline: on it, the name would hide where it stands.
+    const Ring there = outline_at(obstacle.footprint, obstacle.at(0.0));
+    const Box box = bounding_box(there);
+    const Vec2 left_top = canvas.view({box.low.x, box.high.y}), right_bottom = canvas.view({box.high.x, box.low.y});
+    room.take(Box{left_top, right_bottom});
+    label_beside(svg, canvas, {box.high.x, 0.5 * (box.low.y + box.high.y)}, {1.0, 0.0}, {title_of(obstacle, i), "note"}, &room);
   }
 }
 
-void draw_waits(SvgWriter& svg, const Canvas& canvas, const Plan& plan) {
+void draw_waits(SvgWriter& svg, const Canvas& canvas, const Plan& plan, LabelRoom& room) {
   for (const Wait& wait : plan.waits) {
     svg.square(wait.pose.position(), 9.0, "wait");
     const Vec2 beside = left_of(unit(wait.pose.heading));
-    label_beside(svg, canvas, wait.pose.position(), {beside.x, -beside.y}, {fmt::format("waits {:.1f} s", wait.until - wait.from), "note", fmt::format("from {:.1f} s on", wait.from)});
+    label_beside(svg, canvas, wait.pose.position(), {beside.x, -beside.y}, {fmt::format("waits {:.1f} s", wait.until - wait.from), "note", fmt::format("from {:.1f} s on", wait.from)}, &room);
   }
 }
 

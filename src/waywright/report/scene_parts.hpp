@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "waywright/judge/plan.hpp"
+#include "waywright/report/label_room.hpp"
 #include "waywright/report/svg_writer.hpp"
 #include "waywright/scenario/problem.hpp"
 
@@ -68,9 +69,10 @@ struct Label {
   std::string below = {};  ///< a second, smaller line; may be empty
 };
 /// Writes beside a point, on the side that `away` points to (pixels), moved into the map where it would be cut off.
-void label_beside(SvgWriter& svg, const Canvas& canvas, Vec2 point, Vec2 away, const Label& label);
+/// With `room`, on the side nearest to that one on which least is hidden; what is written there is taken then.
+void label_beside(SvgWriter& svg, const Canvas& canvas, Vec2 point, Vec2 away, const Label& label, LabelRoom* room = nullptr);
 /// The tightest spot of a certificate, with its clearance: of the footprint at its pose to the obstacle's point.
-void draw_tightest_spot(SvgWriter& svg, const Canvas& canvas, const Footprint& footprint, const Certificate& certificate, bool has_pose_error, bool is_proven);
+void draw_tightest_spot(SvgWriter& svg, const Canvas& canvas, const Footprint& footprint, const Certificate& certificate, bool has_pose_error, bool is_proven, LabelRoom* room = nullptr);
 /// The footprint's point nearest to an obstacle's.
 Vec2 point_on(const Footprint& footprint, const Pose& pose, Vec2 obstacle);
 
@@ -80,9 +82,11 @@ void draw_scale(SvgWriter& svg, const Canvas& canvas);
 
 struct LegendEntry {
   const char* style;
-  enum class Shape { line, box, dot, square, none } shape;
+  enum class Shape { line, box, dot, square, cross, hollow, peak, trap, none } shape;  ///< cross to trap: places of a field, which have a style of their own
   std::string text;
 };
+/// Such a place, about a pixel. @pre one of cross, hollow, peak, trap
+std::string critical_mark(LegendEntry::Shape shape, double x, double y);
 /// Lines of entries from y on; returns where they end.
 double draw_legend(SvgWriter& svg, const std::vector<LegendEntry>& entries, double width, double y);
 /// Of several plans in one picture: a line each with a sample of its stroke (empty: nothing of it is drawn), wrapped where it is too long, in columns where there

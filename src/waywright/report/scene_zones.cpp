@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "waywright/core/result.hpp"
 #include "waywright/geometry/convex_parts.hpp"
@@ -83,7 +84,7 @@ void draw_zone_areas(SvgWriter& svg, const std::vector<Zone>& zones) {
   }
 }
 
-void draw_zone_names(SvgWriter& svg, const std::vector<Zone>& zones, const Box& region) {
+void draw_zone_names(SvgWriter& svg, const std::vector<Zone>& zones, const Box& region, LabelRoom& room) {
   // Where many zones lie beside each other (lanes of a plant) not all names have room: those of one-way zones, which have arrows, give way to others.
   std::vector<const Zone*> in_turn;
   for (const bool are_directed : {false, true}) {
@@ -92,12 +93,26 @@ void draw_zone_names(SvgWriter& svg, const std::vector<Zone>& zones, const Box& 
     }
   }
   std::vector<Box> written;  // px
-  const auto has_room = [&](Vec2 at, const std::string& text) {
-    const Vec2 middle = svg.view()(at), half{3.4 * static_cast<double>(text.size()) + 3.0, 8.0};
+  const auto meet = [](const Box& a, const Box& b) { return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y; };
+  const Vec2 left_top = svg.view()({region.low.x, region.high.y}), right_bottom = svg.view()({region.high.x, region.low.y});
+  constexpr std::size_t few = 8;  // one-way zones: then each name is wanted
+  const bool are_many = std::count_if(zones.begin(), zones.end(), [](const Zone& z) { return z.type == ZoneType::directed; }) > static_cast<std::ptrdiff_t>(few);
+  /// Where it would stand, moved into the picture; empty: there is no room.
+  const auto room_for = [&](Vec2 at, const Zone& zone, const std::string& text) -> std::optional<Vec2> {
+    const Vec2 half{3.4 * static_cast<double>(text.size()) + 3.0, 8.0};
+    Vec2 middle = svg.view()(at);
+    middle.x = std::clamp(middle.x, left_top.x + half.x + 2.0, std::max(left_top.x + half.x + 2.0, right_bottom.x - half.x - 2.0));
     const Box box{middle - half, middle + half};
-    if (std::any_of(written.begin(), written.end(), [&](const Box& b) { return b.low.x < box.high.x && box.low.x < b.high.x && b.low.y < box.high.y && box.low.y < b.high.y; })) return false;
+    if (box.high.x > right_bottom.x) return std::nullopt;
+    if (std::any_of(written.begin(), written.end(), [&](const Box& b) { return meet(b, box); })) return std::nullopt;
+    if (zone.type == ZoneType::directed && are_many) {
+      const Box area = bounding_box(zone.area);
+      const Vec2 size = svg.view().scale * (area.high - area.low);
+      if (2.0 * half.x > size.x + 8.0 || 2.0 * half.y > size.y + 4.0 || room.hidden_by(box) > 0.0) return std::nullopt;
+    }
     written.push_back(box);
-    return true;
+    room.take(box);
+    return middle;
   };
   for (const Zone* const one : in_turn) {
     const Zone& zone = *one;
@@ -110,7 +125,8 @@ void draw_zone_names(SvgWriter& svg, const std::vector<Zone>& zones, const Box& 
     for (const Vec2 edge : {Vec2{x, box.low.y + off}, Vec2{x, box.high.y - off}}) {
       if (contains(zone.area, edge) && region.contains(edge)) at = edge;
     }
-    if (region.contains(at) && has_room(at, text)) svg.label(at, {0.0, 4.0}, text, "note middle");
+    if (!region.contains(at)) continue;
+    if (const auto middle = room_for(at, zone, text)) svg.label(at, *middle - svg.view()(at) + Vec2{0.0, 4.0}, text, "note middle");
   }
 }
 

@@ -121,7 +121,7 @@ constexpr Colour colours[] = {
     {"cell", "#59636e", "#8f9aa6"}, {"unknown", "#c9d0d7", "#343c45"}, {"fwd", "#0072b2", "#56b4e9"},
     {"back", "#d55e00", "#f0a04b"}, {"zone", "#009e73", "#2fc79b"},    {"shelf", "#cc79a7", "#d99bbd"},
     {"dear", "#e69f00", "#e0a83a"}, {"slow", "#8a7300", "#e8d44d"},
-    {"bad", "#b00020", "#ff8a8a"},  {"alt", "#7a828a", "#8b949d"},
+    {"field", "#54398f", "#c0aef0"}, {"bad", "#b00020", "#ff8a8a"},  {"alt", "#7a828a", "#8b949d"},
 };
 
 constexpr std::string_view rules = R"(
@@ -138,11 +138,16 @@ constexpr std::string_view rules = R"(
 .ww .zonespeed{fill:var(--slow);fill-opacity:.10;stroke:var(--slow);stroke-width:1.5;stroke-dasharray:8 3}
 .ww .sweep{fill:var(--fwd);fill-opacity:.14;stroke:none}.ww .ghost{fill:none;stroke:var(--soft);stroke-width:.6;stroke-opacity:.55}
 .ww .vehicle{fill:var(--paper);fill-opacity:.5;stroke:var(--ink);stroke-width:1.6}.ww .heading{stroke:var(--ink);stroke-width:1.6;fill:none}
+.ww .spinmark .vehicle{fill:none;stroke:var(--soft);stroke-width:.9}.ww .spinmark .heading{stroke:var(--soft);stroke-width:.9}
 .ww .fwd{fill:none;stroke:var(--fwd);stroke-width:3}.ww .back{fill:none;stroke:var(--back);stroke-width:3}
 .ww .turn{fill:none;stroke:var(--shelf);stroke-width:4}.ww .fwdmark{fill:var(--fwd)}.ww .backmark{fill:var(--back)}
 .ww .alt{fill:none;stroke:var(--alt);stroke-width:1.6;stroke-dasharray:6 4}.ww .tight{stroke:var(--bad);stroke-width:2.5}
 .ww .waypoint{fill:var(--paper,#fff);stroke:var(--ink,#222);stroke-width:1.8}.ww .waypointring{fill:none;stroke:var(--ink,#222);stroke-width:.8;stroke-dasharray:3 3}
 .ww .searchline{fill:none;stroke:var(--zone);stroke-width:.7;stroke-opacity:.55}.ww .searchplace{fill:none;stroke:var(--dear);stroke-width:3.4;stroke-linecap:round}.ww .searchagent{fill:none;stroke:var(--dear);stroke-width:1.2}
+.ww .fieldbar{fill:url(#fieldbar);stroke:var(--field);stroke-width:.6}.ww .contour{fill:none;stroke:var(--field);stroke-width:1;stroke-opacity:.7}.ww .stream{fill:none;stroke:var(--ink);stroke-width:.8;stroke-opacity:.55}.ww .streamhead{fill:var(--ink);fill-opacity:.6}
+.ww .leader{stroke:var(--soft);stroke-width:.8}
+.ww .markhalo{fill:none;stroke:var(--paper);stroke-width:5;stroke-linejoin:round;stroke-linecap:round}.ww .saddle{fill:none;stroke:var(--ink);stroke-width:2.2;stroke-linecap:round}.ww .minimum{fill:var(--dear);stroke:var(--ink);stroke-width:1.6;stroke-linejoin:round}
+.ww .maximum{fill:var(--paper);stroke:var(--ink);stroke-width:1.6;stroke-linejoin:round}.ww .trapmark{fill:none;stroke:var(--bad);stroke-width:2.4;stroke-linecap:round}.ww .casing{fill:none;stroke:var(--paper);stroke-width:6.5;stroke-opacity:.85;stroke-linejoin:round}.ww .onfield .sweep{fill-opacity:.3}.ww .onfield .alt{stroke:var(--fwd);stroke-width:2.4}
 .ww .tightdot{fill:var(--bad)}.ww .hit{fill:var(--bad);fill-opacity:.14;stroke:var(--bad);stroke-width:1.4}
 .ww .spot{fill:var(--paper);stroke:var(--bad);stroke-width:2}.ww .spotline{stroke:var(--bad);stroke-width:1.2;stroke-dasharray:4 3}
 .ww .load{fill:var(--back);fill-opacity:.13;stroke:var(--back);stroke-width:.9;stroke-dasharray:4 2}.ww .setdown{fill:var(--solid);fill-opacity:.75;stroke:var(--back);stroke-width:2}

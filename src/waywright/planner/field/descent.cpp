@@ -29,6 +29,14 @@ constexpr double straight_over = 0.5;  // extent, as a share of the way
 
 }  // namespace
 
+void keep_bounded(std::vector<Vec2>& points) {
+  if (points.size() <= most_descent_points) return;
+  const std::size_t early = points.size() - most_descent_points / 4;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); i += i < early ? 2 : 1) points[kept++] = points[i];
+  points.resize(kept);
+}
+
 Descent descend(const std::function<std::optional<FieldStep>(Vec2)>& field, Vec2 start, Vec2 goal, const DescentOptions& options, std::int64_t most_steps, Budget& budget) {
   Descent descent;
   descent.points.push_back(start);
@@ -57,6 +65,7 @@ Descent descend(const std::function<std::optional<FieldStep>(Vec2)>& field, Vec2
     if (const double fast = norm(velocity); fast > options.speed) velocity = (options.speed / fast) * velocity;
     descent.last = descent.last + options.period * velocity;
     descent.points.push_back(descent.last);
+    keep_bounded(descent.points);
     if (descent.points.size() <= window || descent.points.size() % 16 != 0) continue;
     const double reach = extent(descent.points, window);
     if (reach >= options.trapped_within * options.speed * options.period * options.window) continue;

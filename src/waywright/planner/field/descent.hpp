@@ -1,6 +1,7 @@
 // Down a field from a start to a goal, step by step, with what can go wrong named: a local minimum, going to and fro, an obstacle.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -30,13 +31,17 @@ enum class DescentEnd { goal, local_minimum, oscillation, blocked, steps, cancel
 
 struct Descent {
   DescentEnd ended = DescentEnd::steps;
-  std::vector<Vec2> points;  ///< from the start on
+  std::vector<Vec2> points;  ///< from the start on; of more than `most_descent_points` steps not all
   Vec2 last{};               ///< where it ended
   std::int64_t steps = 0;
 };
 
+/// Points are kept up to this; past it every second of all but the latest quarter is left out, so that no run fills the memory however many steps it takes.
+inline constexpr std::size_t most_descent_points = std::size_t{1} << 18;
+void keep_bounded(std::vector<Vec2>& points);
+
 /// Euler's method, as the publication has it: the velocity at each look is kept for a period. `field` is empty where the vehicle cannot stand.
-/// Laws: no step is longer than speed × period; ends after `most_steps` at most.
+/// Laws: no step is longer than speed × period; ends after `most_steps` at most. @pre window ≤ most_descent_points / 4
 Descent descend(const std::function<std::optional<FieldStep>(Vec2)>& field, Vec2 start, Vec2 goal, const DescentOptions& options, std::int64_t most_steps, Budget& budget);
 
 }  // namespace waywright

@@ -8,13 +8,13 @@
 #include <limits>
 #include <optional>
 
+#include "waywright/planner/field/field_drawings.hpp"
 #include "waywright/planner/field/sphere_world_of.hpp"
 #include "waywright/planner/field/star_world_of.hpp"
+#include "waywright/planner/field/way_ends.hpp"
 #include "waywright/planner/grid/grid_words.hpp"
-#include "waywright/planner/plane/plane_ends.hpp"
 #include "waywright/planner/plane/plane_target.hpp"
 #include "waywright/planner/plane/rounded_way.hpp"
-#include "waywright/planner/roadmap/least_length.hpp"
 
 namespace waywright {
 namespace {
@@ -28,25 +28,27 @@ constexpr double rim_share = 0.2;         // of the distance to the nearest rim,
 constexpr double shortest_step = 1e-6;    // of the outer disc's radius
 constexpr double longer_allowed = 1.1;    // of a way that keeps farther away, over the shortest
 const std::vector<double> usual_kappas{8.0, 3.0, 5.0, 12.0, 20.0};  // where none is shown to do; 8 is the reconstruction's
+constexpr std::size_t most_places = 24;   // of a region, that are tried
 constexpr int region_points = 24;         // a side, that are looked at in a region for one where the disc can stand
 
-/// Where in the goal's area the way is to end: as near to the start as the disc can stand.
-std::optional<Vec2> point_of(const PlaneTarget& target, const PlaneSpace& space, Vec2 start) {
-  if (const Vec2 near = target.nearest(start); space.is_free(near)) return near;
-  if (target.is_point()) return std::nullopt;
+/// Places of the goal's region where the disc can stand, the nearest to the start first.
+std::vector<Vec2> places_of(const PlaneTarget& target, const PlaneSpace& space, Vec2 start) {
+  std::vector<Vec2> places;
+  if (const Vec2 near = target.nearest(start); space.is_free(near)) places.push_back(near);
   Vec2 low = target.area.front(), high = low;
   for (const Vec2 p : target.area) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  std::optional<Vec2> best;
+  const std::size_t nearest = places.size();
   for (int j = 0; j < region_points; ++j) {
     for (int i = 0; i < region_points; ++i) {
       const Vec2 p{low.x + (i + 0.5) / region_points * (high.x - low.x), low.y + (j + 0.5) / region_points * (high.y - low.y)};
-      if (contains(target.area, p) && space.is_free(p) && (!best || distance(p, start) < distance(*best, start))) best = p;
+      if (contains(target.area, p) && space.is_free(p)) places.push_back(p);
     }
   }
-  return best;
+  std::stable_sort(places.begin() + static_cast<std::ptrdiff_t>(nearest), places.end(), [&](Vec2 a, Vec2 b) { return distance(a, start) < distance(b, start); });
+  return places;
 }
 
 std::vector<Pose> picture_of(const std::vector<Vec2>& points) {
@@ -73,52 +75,83 @@ class FieldPlanner::Ready {
     const auto start = plane_start(space_);
     const bool is_region = problem.free_goal() != nullptr && !problem.free_goal()->is_point();
     auto goal = is_region ? std::optional<PlaneEnd>{PlaneEnd{}} : plane_goal(space_);
-    if (start && is_region) {
-      const auto at = point_of(target_of(problem, {}), space_, start->at);
-      if (at) goal->at = *at;
-      else goal.reset();
-    }
+    std::vector<Vec2> goals;
+    if (start && is_region) goals = places_of(target_of(problem, {}), space_, start->at);
+    else if (goal) goals = {goal->at};
+    if (goals.empty()) goal.reset();
+    else goal->at = goals.front();
     if (!start || !goal) {
       budget.count_evaluations();
       return tl::unexpected{no_room(space_, !start)};
     }
     std::vector<std::string> text;
     Descent descent;
+    DrawingOf field_drawn;
     const std::int64_t most = std::min(options.steps, budget.evaluations_left().value_or(std::numeric_limits<std::int64_t>::max()));
     if (options.method == FieldMethod::potential) {
-      const PotentialField field{space_, options.potential, goal->at};
-      const auto down = [&](Vec2 q) -> std::optional<FieldStep> {
-        const auto value = field.at(q);
-        if (!value) return std::nullopt;
-        return FieldStep{-value->gradient, value->potential};
-      };
-      descent = descend(down, start->at, goal->at, options.descent, most, budget);
+      // Of a region, places from the nearest to the farthest one after another: beside an obstacle one may be a trap's, and the next is not.
+      const std::size_t tries = std::min(goals.size(), most_places);
+      std::int64_t steps = 0;
+      for (std::size_t k = 0; k < tries && (k == 0 || steps < most); ++k) {
+        const Vec2 at = goals[k * goals.size() / tries];
+        const PotentialField field{space_, options.potential, at};
+        const auto down = [&](Vec2 q) -> std::optional<FieldStep> {
+          const auto value = field.at(q);
+          if (!value) return std::nullopt;
+          return FieldStep{-value->gradient, value->potential};
+        };
+        Descent next = descend(down, start->at, at, options.descent, most - steps, budget);
+        steps += next.steps;
+        const bool is_last = next.ended == DescentEnd::goal || next.ended == DescentEnd::canceled || next.ended == DescentEnd::timed_out;
+        if (k > 0 && is_last) text.push_back(fmt::format("On the way to {} nearer {} of the goal's region it was trapped.", k, k == 1 ? "place" : "places"));
+        if (k == 0 || is_last) {
+          descent = std::move(next);
+          goal->at = at;
+        }
+        if (is_last) break;
+      }
       text.push_back(fmt::format("Down the potential of the goal's attraction ({:g}, conic from {:g} m) and the repulsion of what is nearer than {:g} m ({:g}): {} of at most {:g} m.",
                                  options.potential.attraction, options.potential.conic_from, options.potential.reach, options.potential.repulsion, counted(descent.steps, "step"),
                                  options.descent.speed * options.descent.period));
+      field_drawn = [&](std::optional<Vec2> trap) { return potential_drawing(options.potential, goal->at, trap); };
     } else if (options.method == FieldMethod::star) {
       const auto world = star_world(space_);
       if (!world) {
         budget.count_evaluations();
         return tl::unexpected{failure(Status::no_path, "a world of stars needs obstacles that are each seen whole from a place in them, apart from each other: " + world.error())};
       }
-      descent = down_star_navigation(options, *world, start->at, goal->at, most, text, budget);
+      const StarMap map{*world, start->at, 1.0};
+      const auto reached = std::find_if(goals.begin(), goals.end(), [&](Vec2 at) { return map.is_free(at); });
+      if (reached != goals.end()) goal->at = *reached;
+      descent = down_star_navigation(options, *world, start->at, goal->at, most, text, field_drawn, budget);
     } else {
-      const auto covering = covering_world(space_, start->at, goal->at);
+      const auto covering = covering_world(space_, start->at, goals);
       if (!covering) {
         budget.count_evaluations();
         return tl::unexpected{failure(Status::no_path, "a navigation function on a world of discs needs each obstacle in a disc apart from the others: " + covering.error())};
       }
-      descent = down_navigation_function(options, covering->world, start->at, goal->at, most, text, budget);
+      goal->at = covering->goal;
+      descent = down_navigation_function(options, covering->world, start->at, goal->at, most, text, field_drawn, budget);
     }
-    if (descent.ended != DescentEnd::goal) return tl::unexpected{trapped(descent, goal->at, std::move(text), name, budget)};
+    if (descent.ended != DescentEnd::goal) {
+      PlanningFailure failed = trapped(descent, goal->at, std::move(text), name, budget);
+      const bool is_trap = descent.ended == DescentEnd::local_minimum || descent.ended == DescentEnd::oscillation;
+      if (field_drawn) failed.field = field_drawn(is_trap ? std::optional{descent.last} : std::nullopt);
+      return tl::unexpected{std::move(failed)};
+    }
     descent.points.push_back(goal->at);
-    return explained(descent, *start, *goal, std::move(text), budget);
+    PlanningResult plan = finished_plan(space_, rounded_path(space_, *start, thinned_way(space_, descent.points, thinning), *goal), *start, *goal, std::move(text), budget);
+    if (plan && field_drawn) plan->field = field_drawn(std::nullopt);
+    return plan;
   }
 
  private:
+  /// The field that was gone down, with the trap that it ended in.
+  using DrawingOf = std::function<SharedDrawing(std::optional<Vec2> trap)>;
+
   /// With the κ that is told; else with each that is shown to do.
-  static Descent down_navigation_function(const FieldPlannerOptions& options, const SphereWorld& world, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, Budget& budget) {
+  static Descent down_navigation_function(const FieldPlannerOptions& options, const SphereWorld& world, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, DrawingOf& drawn,
+                                          Budget& budget) {
     std::vector<double> kappas{options.kappa};
     if (options.kappa == 0.0) {
       kappas = kappas_that_lead_to_goal(world, goal, [&] { return budget.exhausted(); });
@@ -130,6 +163,7 @@ class FieldPlanner::Ready {
     const Chosen chosen = best_of(kappas, [&](double kappa) { return follow({world, goal, kappa}, start, options, most, budget); }, [&](Vec2 q) { return NavigationFunction{world, goal, 1.0}.distance_to_rim(q); }, budget);
     const double best_kappa = chosen.kappa;
     const Descent& best = chosen.descent;
+    drawn = [=](std::optional<Vec2> trap) { return navigation_drawing(world, goal, best_kappa, trap); };
     const auto discs = static_cast<std::int64_t>(world.obstacles.size());
     text.push_back(fmt::format("Down the navigation function of κ = {:g} on the disc of {:.3f} m around ({:.3f}, {:.3f}) with {} in it: {}.", best_kappa, world.outside.radius,
                                world.outside.centre.x, world.outside.centre.y, counted(discs, "disc"), counted(best.steps, "step")));
@@ -155,7 +189,8 @@ class FieldPlanner::Ready {
       Chosen chosen;
       double length = std::numeric_limits<double>::infinity(), room = 0.0;
     };
-    std::vector<Tried> all;
+    // Kept are those alone that may be chosen still, whatever comes: a descent can be long.
+    std::vector<Tried> open;
     double shortest = std::numeric_limits<double>::infinity();
     for (const double kappa : kappas) {
       Tried tried{{down(kappa), kappa}};
@@ -165,14 +200,14 @@ class FieldPlanner::Ready {
         for (const Vec2 p : tried.chosen.descent.points) tried.room = std::min(tried.room, rim(p));
         shortest = std::min(shortest, tried.length);
       }
-      all.push_back(std::move(tried));
+      if (open.empty() || std::isfinite(tried.length)) {
+        std::erase_if(open, [&](const Tried& other) { return !(other.length <= longer_allowed * shortest) || (other.length >= tried.length && other.room < tried.room); });
+        const bool is_less = std::any_of(open.begin(), open.end(), [&](const Tried& other) { return other.length <= tried.length && other.room >= tried.room; });
+        if (open.empty() || (!is_less && tried.length <= longer_allowed * shortest)) open.push_back(std::move(tried));
+      }
       if (budget.exhausted()) break;
     }
-    const Tried* best = &all.front();
-    for (const Tried& tried : all) {
-      if (std::isfinite(tried.length) && tried.length <= longer_allowed * shortest && (!(best->length <= longer_allowed * shortest) || tried.room > best->room)) best = &tried;
-    }
-    return best->chosen;
+    return std::max_element(open.begin(), open.end(), [](const Tried& a, const Tried& b) { return a.room < b.room; })->chosen;
   }
 
   /// A field to be followed by steps of one length, shorter near rims.
@@ -212,6 +247,7 @@ class FieldPlanner::Ready {
       all.last = next.last;
       all.steps += next.steps;
       all.points.insert(all.points.end(), next.points.begin() + 1, next.points.end());
+      keep_bounded(all.points);
       const bool is_stuck = next.ended == DescentEnd::local_minimum || next.ended == DescentEnd::oscillation;
       if (!is_stuck) return all;
       all.ended = DescentEnd::local_minimum;  // steps of one length do not rest in it
@@ -232,7 +268,8 @@ class FieldPlanner::Ready {
   }
 
   /// λ is the least that does not fold the map, κ those that lead to the goal in the model.
-  Descent down_star_navigation(const FieldPlannerOptions& options, const StarWorld& world, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, Budget& budget) const {
+  Descent down_star_navigation(const FieldPlannerOptions& options, const StarWorld& world, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, DrawingOf& drawn,
+                               Budget& budget) const {
     double lambda = options.lambda;
     if (lambda == 0.0) {
       const ChosenLambda chosen = choose_lambda(world, goal, 140, [&] { return budget.exhausted(); });
@@ -259,6 +296,7 @@ class FieldPlanner::Ready {
     const Chosen chosen = best_of(kappas, down, [&](Vec2 q) { return rims.at(q); }, budget);
     const double best_kappa = chosen.kappa;
     const Descent& best = chosen.descent;
+    drawn = [=](std::optional<Vec2> trap) { return star_drawing(world, goal, lambda, best_kappa, trap); };
     text.push_back(fmt::format("Down the navigation function of κ = {:g} on the world of discs that the map of λ = {:g} makes of {}: {}.", best_kappa, lambda,
                                counted(static_cast<std::int64_t>(world.obstacles.size()), "star"), counted(best.steps, "step")));
     return best;
@@ -295,18 +333,6 @@ class FieldPlanner::Ready {
     failed.explanation = std::move(text);
     failed.explanation.push_back(reason + ".");
     return failed;
-  }
-
-  PlanningResult explained(const Descent& descent, const PlaneEnd& start, const PlaneEnd& goal, std::vector<std::string> text, Budget& budget) const {
-    Planned planned;
-    const std::vector<Vec2> points = thinned_way(space_, descent.points, thinning);
-    planned.path = rounded_path(space_, start, points, goal);
-    if (planned.path.pieces.empty()) return tl::unexpected{failure(Status::no_path, "start and goal are the same place, there is nothing to drive")};
-    if (start.run != 0 || goal.run != 0) text.push_back(run_sentence(space_, start, goal));
-    text.push_back(driving_sentence(space_.problem(), planned.path));
-    if (std::string bound = bound_sentence(least_length(space_, budget), length(planned.path)); !bound.empty()) text.push_back(std::move(bound));
-    planned.explanation = std::move(text);
-    return planned;
   }
 
   PlaneSpace space_;

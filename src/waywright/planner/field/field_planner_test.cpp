@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "waywright/judge/judge.hpp"
 #include "waywright/map/field_worlds.hpp"
 #include "waywright/proof/proof.hpp"
@@ -199,6 +201,43 @@ TEST(NavigationFunctionPlanner, LeadsEveryStartToTheGoal) {
   EXPECT_EQ(converging("NF-S3", 0, navigation(8.0), 6, 4.9), 1.0);
   EXPECT_EQ(converging("NF-TWO", 0, navigation(8.0), 6, 4.9), 1.0);
   EXPECT_LT(converging("NF-TWO", 0, potential(0.1), 6, 4.9), 1.0);  // the potential field does not
+}
+
+// The place of a region that is nearest may lie in an obstacle's disc, where others do not.
+TEST(FieldPlanners, GoToAnyPlaceOfARegionThatIsFreeInTheirWorld) {
+  Scenario s = scenario("NF-TWO", 0);
+  s.map.boundaries = {rectangle({-5, -5}, {5, 5})};
+  s.map.obstacles = {rectangle({0, 0}, {1, 1})};
+  s.start = {-3, 0.5, 0};
+  s.mission = FreeGoal{rectangle({-0.1, 0.45}, {-0.05, 3.0})};  // by the square, whose disc holds its lower end
+  for (const FieldPlannerOptions& options : {navigation(8.0), navigation(0.0), star(8.0, 0.0), potential(0.1)}) {
+    std::string why;
+    EXPECT_TRUE(driven(s, options, &why)) << why;
+  }
+  s.mission = FreeGoal{rectangle({-0.1, 0.45}, {-0.05, 0.55})};
+  std::string why;
+  EXPECT_FALSE(driven(s, navigation(8.0), &why));
+  EXPECT_NE(why.find("the nearest place of the goal's region, like all others of it, lies in the disc of 0.708 m around obstacle 0"), std::string::npos) << why;
+  EXPECT_TRUE(driven(s, star(8.0, 0.0), &why)) << why;
+}
+
+// However many steps, the memory that they take is bounded, and what is kept leads from the start to the end in order.
+TEST(Descent, OfManyStepsKeepsABoundedNumberOfPoints) {
+  DescentOptions options;
+  options.speed = 1e-6;
+  options.period = 1.0;
+  options.may_creep = true;
+  Budget budget;
+  const std::int64_t steps = 3 * static_cast<std::int64_t>(most_descent_points);
+  const Descent descent = descend([](Vec2 q) { return FieldStep{{1.0, 0.0}, 10.0 - q.x}; }, {0, 0}, {10, 0}, options, steps, budget);
+  EXPECT_EQ(descent.ended, DescentEnd::steps);
+  EXPECT_EQ(descent.steps, steps);
+  EXPECT_LE(descent.points.size(), most_descent_points);
+  EXPECT_GT(descent.points.size(), most_descent_points / 2);
+  EXPECT_EQ(descent.points.front(), (Vec2{0, 0}));
+  EXPECT_EQ(descent.points.back(), descent.last);
+  EXPECT_NEAR(descent.last.x, 1e-6 * static_cast<double>(steps), 1e-9);
+  EXPECT_TRUE(std::is_sorted(descent.points.begin(), descent.points.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; }));
 }
 
 // Worlds ten times as large, with a base of 0.58 × 0.38 m that keeps its heading or turns while it drives.

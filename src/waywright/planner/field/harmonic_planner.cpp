@@ -6,13 +6,10 @@
 #include <cmath>
 #include <optional>
 
-#include "waywright/planner/grid/connection.hpp"
-#include "waywright/planner/grid/free_goal.hpp"
+#include "waywright/planner/field/field_drawings.hpp"
+#include "waywright/planner/field/way_ends.hpp"
 #include "waywright/planner/grid/grid_words.hpp"
-#include "waywright/planner/grid/motion_check.hpp"
-#include "waywright/planner/plane/plane_ends.hpp"
 #include "waywright/planner/plane/rounded_way.hpp"
-#include "waywright/planner/roadmap/least_length.hpp"
 #include "waywright/scenario/parameter_values.hpp"
 
 namespace waywright {
@@ -41,63 +38,40 @@ class HarmonicPlanner::Ready {
   bool is_for(const Problem& problem) const { return &problem == &space_.problem(); }
 
   PlanningResult plan(const HarmonicOptions& options, Budget& budget) const {
-    const Problem& problem = space_.problem();
-    if (auto reason = nothing_to_plan(problem, "harmonic")) return tl::unexpected{failure(Status::no_path, std::move(*reason))};
-    if (!refused_.empty()) return tl::unexpected{failure(Status::no_path, refused_)};
-    const auto stopped = [&](std::int64_t cells) { return grid::nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, cells, budget, frame_.cell, ""); };
-    if (budget.exhausted()) return tl::unexpected{stopped(0)};
-    budget.count_evaluations();
-    const auto start = plane_start(space_);
-    const bool is_region = problem.free_goal() != nullptr && !problem.free_goal()->is_point();
-    const auto goal = is_region ? std::optional<PlaneEnd>{PlaneEnd{}} : plane_goal(space_);
-    if (!start || !goal) return tl::unexpected{no_room(space_, !start)};
-    if (!is_region && start->run == 0 && goal->run == 0 && start->at == goal->at) {  // nothing but a turn
-      Planned planned;
-      planned.path = plane_path(space_, *start, {start->at}, *goal);
-      planned.explanation.push_back("Start and goal are one place: the vehicle turns there.");
-      return planned;
-    }
-    MotionCheck test{problem, Footprint{{}, space_.disc()}};
-    const auto from = disc_connections(problem, frame_, start->at, true, test);
+    const auto ends = cell_ends(space_, frame_, refused_, "harmonic", budget);
+    if (!ends) return ends.error();
     std::vector<Cell> goals;
-    if (is_region) {
-      goals = region_cells(problem, frame_);
-      std::erase_if(goals, [&](Cell c) { return !space_.is_free(frame_.centre(c)); });
-    } else {
-      for (const DiscConnection& c : disc_connections(problem, frame_, goal->at, false, test)) {
-        if (space_.is_free(frame_.centre(c.cell))) goals.push_back(c.cell);
-      }
-    }
-    if (from.empty() || goals.empty()) {
-      return tl::unexpected{failure(Status::no_path, fmt::format("around the {} there is no cell of {:g} m whose middle is free and can be driven to; try a finer resolution", from.empty() ? "start" : "goal", frame_.cell),
-                                    from.empty() ? problem.start() : problem.goal())};
-    }
+    for (const DiscConnection& c : ends->goals) goals.push_back(c.cell);
     const auto is_free = [&](Cell c) { return space_.is_free(frame_.centre(c)); };
     const auto may_drive = [&](Cell a, Cell b) { return space_.is_free(frame_.centre(a), frame_.centre(b)); };
     HarmonicField::Options wanted = options.field;
     wanted.most_unknowns = budget.limits().expansions.value_or(wanted.most_unknowns);
-    const HarmonicField field{frame_, goals, is_free, may_drive, wanted};
+    const auto shared = std::make_shared<const HarmonicField>(frame_, goals, is_free, may_drive, wanted);
+    const HarmonicField& field = *shared;
     budget.count_expansions(field.unknowns());
     if (field.is_over()) return tl::unexpected{grid::nothing_found(SearchEnd::expansions, false, field.unknowns(), budget, frame_.cell, "")};
-    if (budget.exhausted()) return tl::unexpected{stopped(field.unknowns())};
+    if (budget.exhausted()) return tl::unexpected{grid::nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, field.unknowns(), budget, frame_.cell, "")};
     std::optional<Cell> first;
-    for (const DiscConnection& c : from) {
+    for (const DiscConnection& c : ends->from) {
       if (field.at(c.cell) > 0.0 && (!first || field.at(c.cell) > field.at(*first))) first = c.cell;
     }
-    if (!first && std::any_of(from.begin(), from.end(), [&](const DiscConnection& c) { return field.reaches(c.cell); })) {
+    if (!first && std::any_of(ends->from.begin(), ends->from.end(), [&](const DiscConnection& c) { return field.reaches(c.cell); })) {
       return tl::unexpected{failure(Status::no_path, fmt::format("at the start the potential is under what numbers can tell, so far is it from the goal between walls that draw off {:g}; less absorption, or coarser cells, reach farther",
                                                                  options.field.absorption))};
     }
     if (!first) {
-      std::string reason = fmt::format("the start is not connected to the goal between {} of {:g} m, for {} of {:.3f} m that keeps {:.3f} m", counted(field.unknowns(), "free cell"), frame_.cell,
-                                       problem.footprint().is_disc() ? "a disc" : "the disc around the footprint,", space_.disc(), problem.required_clearance());
-      if (const std::string more = unreachable_sentence(least_length(space_, budget), problem); !more.empty()) reason += "; " + more;
-      return tl::unexpected{failure(Status::no_path, std::move(reason))};
+      PlanningFailure failed = not_connected(space_, fmt::format("the start is not connected to the goal between {} of {:g} m", counted(field.unknowns(), "free cell"), frame_.cell), budget);
+      failed.field = harmonic_drawing(shared);
+      return tl::unexpected{std::move(failed)};
     }
     std::vector<Vec2> points = streamline(field, goals, *first);
-    points.insert(points.begin(), start->at);
-    if (!is_region) points.push_back(goal->at);
-    return explained(options, field, thinned_way(space_, points, thinning * frame_.cell), *start, *goal, budget);
+    points.insert(points.begin(), ends->start.at);
+    if (!ends->is_region) points.push_back(ends->goal.at);
+    std::vector<std::string> text{fmt::format("Along a streamline of the harmonic potential on {} of {:g} m, which walls draw off at {:g} of what a free neighbour does: it has no local minimum but the goal.",
+                                              counted(field.unknowns(), "free cell"), frame_.cell, options.field.absorption)};
+    PlanningResult plan = finished_plan(space_, rounded_path(space_, ends->start, thinned_way(space_, points, thinning * frame_.cell), ends->goal), ends->start, ends->goal, std::move(text), budget);
+    if (plan) plan->field = harmonic_drawing(shared);
+    return plan;
   }
 
  private:
@@ -171,19 +145,6 @@ class HarmonicPlanner::Ready {
       }
     }
     return best;
-  }
-
-  PlanningResult explained(const HarmonicOptions& options, const HarmonicField& field, const std::vector<Vec2>& points, const PlaneEnd& start, const PlaneEnd& goal, Budget& budget) const {
-    Planned planned;
-    planned.path = rounded_path(space_, start, points, goal);
-    if (planned.path.pieces.empty()) return tl::unexpected{failure(Status::no_path, "start and goal are the same place, there is nothing to drive")};
-    std::vector<std::string>& text = planned.explanation;
-    text.push_back(fmt::format("Along a streamline of the harmonic potential on {} of {:g} m, which walls draw off at {:g} of what a free neighbour does: it has no local minimum but the goal.",
-                               counted(field.unknowns(), "free cell"), frame_.cell, options.field.absorption));
-    if (start.run != 0 || goal.run != 0) text.push_back(run_sentence(space_, start, goal));
-    text.push_back(driving_sentence(space_.problem(), planned.path));
-    if (std::string bound = bound_sentence(least_length(space_, budget), length(planned.path)); !bound.empty()) text.push_back(std::move(bound));
-    return planned;
   }
 
   PlaneSpace space_;

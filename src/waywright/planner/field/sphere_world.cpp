@@ -53,7 +53,7 @@ SymmetricMatrix NavigationFunction::curvature(Vec2 q) const {
   return sum;
 }
 
-double NavigationFunction::log_of(Vec2 q) const {
+double NavigationFunction::logarithm(Vec2 q) const {
   const double unit = world_.outside.radius * world_.outside.radius;
   double f = kappa_ * std::log(squared_norm(q - goal_) / unit) - std::log((unit - squared_norm(q - world_.outside.centre)) / unit);
   for (const Disc& disc : world_.obstacles) f -= std::log((squared_norm(q - disc.centre) - disc.radius * disc.radius) / unit);
@@ -63,7 +63,7 @@ double NavigationFunction::log_of(Vec2 q) const {
 double NavigationFunction::value(Vec2 q) const {
   if (q == goal_) return 0.0;
   if (!is_free(q)) return 1.0;
-  const double f = log_of(q);
+  const double f = logarithm(q);
   // (1 + e^−f)^(−1/κ), from whichever side does not overflow.
   const double log_sum = f > 0.0 ? std::log1p(std::exp(-f)) : std::log1p(std::exp(f)) - f;
   return std::exp(-log_sum / kappa_);
@@ -72,7 +72,7 @@ double NavigationFunction::value(Vec2 q) const {
 Vec2 NavigationFunction::gradient(Vec2 q) const {
   if (q == goal_ || !is_free(q)) return {};
   // dφ/df = φ/κ·(1 − φ^κ).
-  const double f = log_of(q);
+  const double f = logarithm(q);
   const double rest = f > 0.0 ? std::exp(-f) / (1.0 + std::exp(-f)) : 1.0 / (1.0 + std::exp(f));
   return (value(q) * rest / kappa_) * slope(q);
 }

@@ -52,10 +52,10 @@ class NavigationFunction {
   double value(Vec2 q) const;
   /// ∇φ, 1/m; 0 at the goal and where it is not free.
   Vec2 gradient(Vec2 q) const;
+  /// f, at a free place that is not the goal: it tells apart what φ rounds to 1.
+  double logarithm(Vec2 q) const;
 
  private:
-  double log_of(Vec2 q) const;  ///< f
-
   SphereWorld world_;
   Vec2 goal_;
   double kappa_;

@@ -45,13 +45,14 @@ Disc enclosing_disc(const std::vector<Vec2>& p) {
   return disc;
 }
 
-tl::expected<CoveringWorld, std::string> covering_world(const PlaneSpace& space, Vec2 start, Vec2 goal) {
+tl::expected<CoveringWorld, std::string> covering_world(const PlaneSpace& space, Vec2 start, std::span<const Vec2> goals) {
   using tl::unexpected;
   const Map& map = space.problem().world().map();
   if (!map.grids.empty() || !map.lines.empty() || !map.points.empty()) return unexpected<std::string>{"walls, scan points and cells are no obstacles that a disc covers"};
   CoveringWorld covering;
   const double grown = space.needed();
-  std::vector<Vec2> everything{start, goal};
+  std::vector<Vec2> everything{start};
+  everything.insert(everything.end(), goals.begin(), goals.end());
   for (std::size_t i = 0; i < map.obstacles.size(); ++i) {
     Disc disc = enclosing_disc(map.obstacles[i]);
     everything.push_back(disc.centre - Vec2{disc.radius, disc.radius});
@@ -94,8 +95,10 @@ tl::expected<CoveringWorld, std::string> covering_world(const PlaneSpace& space,
                                     covering.names[i], grown)};
     }
   }
-  const NavigationFunction any{covering.world, goal, 1.0};
-  for (const auto& [what, place] : {std::pair{"start", start}, std::pair{"goal", goal}}) {
+  const NavigationFunction any{covering.world, goals.front(), 1.0};
+  const auto reached = std::find_if(goals.begin(), goals.end(), [&](Vec2 goal) { return any.is_free(goal); });
+  covering.goal = reached == goals.end() ? goals.front() : *reached;
+  for (const auto& [what, place] : {std::pair{"start", start}, std::pair{goals.size() == 1 ? "goal" : "nearest place of the goal's region, like all others of it,", covering.goal}}) {
     const Vec2 at = place;  // a lambda of C++20 may not take a part of a binding, and clang 14 holds to that
     if (any.is_free(at)) continue;
     const auto within = std::find_if(covering.world.obstacles.begin(), covering.world.obstacles.end(), [&](const Disc& d) { return distance(d.centre, at) <= d.radius; });

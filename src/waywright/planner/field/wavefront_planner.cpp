@@ -6,20 +6,16 @@
 #include <limits>
 #include <optional>
 
+#include "waywright/planner/field/field_drawings.hpp"
 #include "waywright/planner/field/wavefront.hpp"
-#include "waywright/planner/grid/connection.hpp"
+#include "waywright/planner/field/way_ends.hpp"
 #include "waywright/planner/grid/disc_graph.hpp"
-#include "waywright/planner/grid/free_goal.hpp"
 #include "waywright/planner/grid/grid_words.hpp"
-#include "waywright/planner/grid/motion_check.hpp"
-#include "waywright/planner/plane/plane_ends.hpp"
-#include "waywright/planner/roadmap/least_length.hpp"
 #include "waywright/scenario/parameter_values.hpp"
 
 namespace waywright {
 
 using grid::counted;
-using grid::failure;
 
 class WavefrontPlanner::Ready {
  public:
@@ -39,40 +35,19 @@ class WavefrontPlanner::Ready {
   bool is_for(const Problem& problem) const { return &problem == &space_.problem(); }
 
   PlanningResult plan(const WavefrontOptions& options, Budget& budget) const {
-    const Problem& problem = space_.problem();
-    if (auto reason = nothing_to_plan(problem, "wavefront")) return tl::unexpected{failure(Status::no_path, std::move(*reason))};
-    if (!refused_.empty()) return tl::unexpected{failure(Status::no_path, refused_)};
-    if (budget.exhausted()) return tl::unexpected{grid::nothing_found(budget.canceled() ? SearchEnd::canceled : SearchEnd::timed_out, false, 0, budget, 0.0, "")};
-    budget.count_evaluations();
-    const auto start = plane_start(space_);
-    const bool is_region = problem.free_goal() != nullptr && !problem.free_goal()->is_point();
-    const auto goal = is_region ? std::optional<PlaneEnd>{PlaneEnd{}} : plane_goal(space_);
-    if (!start || !goal) return tl::unexpected{no_room(space_, !start)};
-    if (!is_region && start->run == 0 && goal->run == 0 && start->at == goal->at) {  // nothing but a turn
-      Planned planned;
-      planned.path = plane_path(space_, *start, {start->at}, *goal);
-      planned.explanation.push_back("Start and goal are one place: the vehicle turns there.");
-      return planned;
-    }
-    const Footprint disc{{}, space_.disc()};
-    MotionCheck test{problem, disc};
-    const auto from = disc_connections(problem, frame_, start->at, true, test);
+    const auto ends = cell_ends(space_, frame_, refused_, "wavefront", budget);
+    if (!ends) return ends.error();
     std::vector<Cell> goals;
-    if (is_region) {
-      goals = region_cells(problem, frame_);
-      std::erase_if(goals, [&](Cell c) { return !space_.is_free(frame_.centre(c)); });
-    } else if (const auto ends = disc_connections(problem, frame_, goal->at, false, test); !ends.empty()) {
-      goals = {std::min_element(ends.begin(), ends.end(), [](const DiscConnection& a, const DiscConnection& b) { return a.cost < b.cost; })->cell};
-    }
-    if (from.empty() || goals.empty()) {
-      return tl::unexpected{failure(Status::no_path, fmt::format("{} is no cell of {:g} m with its middle free around it; try a finer resolution", from.empty() ? "at the start there" : "at the goal there", frame_.cell),
-                                    from.empty() ? problem.start() : problem.goal())};
+    if (ends->is_region) {
+      for (const DiscConnection& c : ends->goals) goals.push_back(c.cell);
+    } else {
+      goals = {std::min_element(ends->goals.begin(), ends->goals.end(), [](const DiscConnection& a, const DiscConnection& b) { return a.cost < b.cost; })->cell};
     }
     const auto is_free = [&](Cell c, int move) {
       const Move m = moves[static_cast<std::size_t>(move)];
       return space_.is_free(frame_.centre(c), frame_.centre({c.column + m.column, c.row + m.row}));
     };
-    const Wavefront front = wavefront(graph_, goals, is_free, [&] { return budget.exhausted(); }, budget.limits().expansions.value_or(std::numeric_limits<std::int64_t>::max()));
+    Wavefront front = wavefront(graph_, goals, is_free, [&] { return budget.exhausted(); }, budget.limits().expansions.value_or(std::numeric_limits<std::int64_t>::max()));
     budget.count_expansions(front.expanded);
     if (front.is_stopped) {
       const SearchEnd why = budget.canceled() ? SearchEnd::canceled : budget.cut_short() ? SearchEnd::timed_out : SearchEnd::expansions;
@@ -80,28 +55,27 @@ class WavefrontPlanner::Ready {
     }
     const auto value = [&](const DiscConnection& c) { return front.values[graph_.index(c.cell)]; };
     std::optional<DiscConnection> first;
-    for (const DiscConnection& c : from) {
+    for (const DiscConnection& c : ends->from) {
       if (value(c) != 0 && (!first || value(c) < value(*first))) first = c;
     }
     if (!first) {
-      std::string reason = fmt::format("the wave from the goal came through {} of {:g} m and did not reach the start, for {} of {:.3f} m that keeps {:.3f} m", counted(front.reached, "cell"), frame_.cell,
-                                       problem.footprint().is_disc() ? "a disc" : "the disc around the footprint,", space_.disc(), problem.required_clearance());
-      if (const std::string more = unreachable_sentence(least_length(space_, budget), problem); !more.empty()) reason += "; " + more;
-      return tl::unexpected{failure(Status::no_path, std::move(reason))};
+      PlanningFailure failed = not_connected(space_, fmt::format("the wave from the goal came through {} of {:g} m and did not reach the start", counted(front.reached, "cell"), frame_.cell), budget);
+      failed.field = wavefront_drawing(frame_, std::move(front), options.neighbours);
+      return tl::unexpected{std::move(failed)};
     }
     const auto clearance = [&](Cell c) { return space_.at_least(frame_.centre(c)); };
     const std::vector<Cell> cells = way_down(front, graph_, first->cell, is_free, options.keeps_away ? std::function<double(Cell)>{clearance} : std::function<double(Cell)>{});
-    return explained(options, front, cells, value(*first), *start, *goal, is_region, budget);
+    PlanningResult plan = explained(options, front, cells, value(*first), *ends, budget);
+    if (plan) plan->field = wavefront_drawing(frame_, std::move(front), options.neighbours);
+    return plan;
   }
 
  private:
-  PlanningResult explained(const WavefrontOptions& options, const Wavefront& front, const std::vector<Cell>& cells, std::uint32_t value, const PlaneEnd& start, const PlaneEnd& goal, bool is_region,
-                           Budget& budget) const {
-    std::vector<Vec2> points{start.at};
+  PlanningResult explained(const WavefrontOptions& options, const Wavefront& front, const std::vector<Cell>& cells, std::uint32_t value, const CellEnds& ends, Budget& budget) const {
+    std::vector<Vec2> points{ends.start.at};
     for (const Cell c : cells) points.push_back(frame_.centre(c));
-    if (!is_region) points.push_back(goal.at);
-    Planned planned;
-    std::vector<std::string>& text = planned.explanation;
+    if (!ends.is_region) points.push_back(ends.goal.at);
+    std::vector<std::string> text;
     text.push_back(fmt::format("The wave from the goal came through {} of {:g} m; the start's has the value {}, so that {} lead down, with {} neighbours. It counts moves, a diagonal one like a straight one{}.",
                                counted(front.reached, "cell"), frame_.cell, value, counted(static_cast<std::int64_t>(value - Wavefront::goal_value), "move"), static_cast<int>(options.neighbours),
                                options.keeps_away ? "; of moves that lead down alike the one farthest from obstacles was taken" : ""));
@@ -110,12 +84,7 @@ class WavefrontPlanner::Ready {
       points = taut_way(std::move(points), space_);
       if (const double after = length_of_way(points); after < before) text.push_back(fmt::format("Corners past which their neighbours see each other were left out: {:.3f} m instead of {:.3f} m.", after, before));
     }
-    planned.path = plane_path(space_, start, points, goal);
-    if (planned.path.pieces.empty()) return tl::unexpected{failure(Status::no_path, "start and goal are the same place, there is nothing to drive")};
-    if (start.run != 0 || goal.run != 0) text.push_back(run_sentence(space_, start, goal));
-    text.push_back(driving_sentence(space_.problem(), planned.path));
-    if (std::string bound = bound_sentence(least_length(space_, budget), length(planned.path)); !bound.empty()) text.push_back(std::move(bound));
-    return planned;
+    return finished_plan(space_, plane_path(space_, ends.start, points, ends.goal), ends.start, ends.goal, std::move(text), budget);
   }
 
   PlaneSpace space_;
