@@ -48,6 +48,23 @@ void PlaneView::hide_behind_edges() {
   }
 }
 
+bool PlaneView::hides(Vec2 middle, double radius) {
+  const Vec2 to = middle - from_;
+  const double away = norm(to);
+  if (!(away > wider * radius)) return false;
+  // Between the tangents to the disc; one bin more on either side, for rounding. They are less than half a turn apart.
+  const double sine = radius / away, cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
+  const std::size_t first = index(cosine * to - sine * left_of(to)) + count - 1, last = index(cosine * to + sine * left_of(to)) + 1;
+  const double nearest = (away - radius) * (away - radius) / wider;
+  for (std::size_t k = 0, bins = (last + 2 * count - first) % count + 1; k < bins; ++k) {
+    const std::size_t i = (first + k) % count;
+    if (bins_[i].hidden < nearest) continue;
+    if (bins_[i].seen < 0.0) fill(bins_[i], i);
+    if (!(bins_[i].hidden < nearest)) return false;
+  }
+  return true;
+}
+
 /// Rays of the bin are off its middle by no more than `spread` times their length.
 void PlaneView::fill(Bin& bin, std::size_t i) const {
   const double each = 4.0 / static_cast<double>(count), at = static_cast<double>(i) * each;

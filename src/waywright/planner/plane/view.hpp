@@ -35,6 +35,8 @@ class PlaneView {
     const Seen told = seen(point);
     return told == Seen::not_told ? space_->is_free(point, from_) : told == Seen::yes;
   }
+  /// True: the table tells that the place is seen from nowhere within `radius` (m) of the middle. @pre is_ready(), radius ≥ 0
+  bool hides(Vec2 middle, double radius);
 
  private:
   static constexpr std::size_t count = 2048;

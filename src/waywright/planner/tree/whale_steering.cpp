@@ -1,5 +1,6 @@
 #include "waywright/planner/tree/whale_steering.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,16 +13,37 @@ constexpr std::size_t most_drawn = 100;  // swarms
 }  // namespace
 
 WhaleSteering::WhaleSteering(const PlaneSpace& space, const WhaleSteeringOptions& options)
-    : space_{space}, options_{options}, per_radius_{options.sample_weight / options.radius}, per_diagonal_{options.goal_weight / norm(space.region().high - space.region().low)} {
-  const auto population = static_cast<std::size_t>(options.population);
-  for (std::vector<double>* values : {&x_, &y_, &new_x_, &new_y_, &bases_}) values->resize(population);
-  candidates_.reserve(population);
-  const std::size_t moves = population * static_cast<std::size_t>(options.iterations);
-  factors_.resize(moves);
-  scales_.resize(moves);
-  others_.resize(moves);
-  spirals_.resize(moves + 1);
-  spiral_moves_.resize(moves + 1);
+    : space_{space},
+      options_{options},
+      population_{static_cast<std::size_t>(options.population)},
+      per_radius_{options.sample_weight / options.radius},
+      per_diagonal_{options.goal_weight / norm(space.region().high - space.region().low)} {
+  const Box& region = space.region();
+  const double farthest = std::max(std::max(std::abs(region.low.x), std::abs(region.low.y)), std::max(std::abs(region.high.x), std::abs(region.high.y))) + options.radius;
+  rounding_ = 1e-14 * (per_radius_ + per_diagonal_) * farthest + 1e-12 * (options.sample_weight + options.goal_weight);
+  const std::size_t iterations = static_cast<std::size_t>(options.iterations), moves = population_ * iterations;
+  for (std::vector<double>* values : {&x_, &y_, &new_x_, &new_y_}) values->resize(population_ + whale_lanes::spare);
+  for (std::vector<double>* values : {&reaches_, &factors_, &scales_}) values->resize(moves + whale_lanes::spare);
+  promising_.resize(population_ + whale_lanes::spare);
+  candidates_.reserve(population_);
+  drawing_.agents = population_;
+  drawing_.moves = moves;
+  for (std::size_t m = 0; m < moves; ++m) {
+    reaches_[m] = whale_reach(options.whale.start, m / population_, iterations);
+    if (reaches_[m] >= options.whale.threshold) drawing_.searching = m + 1;  // |A| is no greater than it
+  }
+  searches_.resize(drawing_.searching + whale_lanes::spare);
+  drawing_.reach = reaches_.data();
+  drawing_.spiral = options.whale.spiral;
+  drawing_.choice = options.whale.choice;
+  drawing_.threshold = options.whale.threshold;
+  drawing_.radius = options.radius;
+  drawing_.factor = factors_.data();
+  drawing_.scale = scales_.data();
+  drawing_.searches = searches_.data();
+  sifting_.agents = population_;
+  sifting_.per_radius = per_radius_;
+  sifting_.found = promising_.data();
 }
 
 double WhaleSteering::cost(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal) const {
@@ -41,8 +63,8 @@ void WhaleSteering::prepare_view(Vec2 goal) {
 
 /// The cost of a place, term by term, no further than to where it is `enough` at least.
 double WhaleSteering::whole_cost(const Aim& aim, const Candidate& candidate, double enough) {
-  const Vec2 x = agent(candidate.agent);
-  double sum = bases_[candidate.agent];
+  const Vec2 x = candidate.at;
+  double sum = candidate.base;
   ++lines_;
   if (!space_.is_free(aim.near, x, distance(aim.near, x), aim.room, space_.room(x))) {
     sum += options_.near_weight;
@@ -58,26 +80,33 @@ double WhaleSteering::whole_cost(const Aim& aim, const Candidate& candidate, dou
   return sum + options_.view_weight;
 }
 
+/// Those of the agents that may cost less than `enough`: the goal is no nearer to any than along the straight line from the sample to it.
+void WhaleSteering::sift(const Aim& aim, double enough) {
+  sifting_.x = x_.data();
+  sifting_.y = y_.data();
+  sifting_.along_x = per_diagonal_ * aim.from_goal.x;
+  sifting_.along_y = per_diagonal_ * aim.from_goal.y;
+  sifting_.most = enough - (aim.is_hidden ? options_.view_weight : 0.0) - per_diagonal_ * aim.away + rounding_;
+  lanes_.sift(sifting_);
+}
+
 /// The best of all agents and of what was best before; of equal ones the first. What is cheap is told of all, then those that could be the best are looked at, the
 /// most promising one first, until no other one can be better.
 void WhaleSteering::look(const Aim& aim, Best& best) {
-  const std::size_t population = x_.size();
-  evaluations_ += static_cast<std::int64_t>(population);
-  const double* const x = x_.data();
-  const double* const y = y_.data();
-  double* const bases = bases_.data();
-  const auto root = [](double dx, double dy) { return std::sqrt(dx * dx + dy * dy); };
-#pragma GCC ivdep
-  for (std::size_t i = 0; i < population; ++i) bases[i] = per_radius_ * root(x[i] - aim.sample.x, y[i] - aim.sample.y) + per_diagonal_ * root(x[i] - aim.goal.x, y[i] - aim.goal.y);
+  evaluations_ += options_.population;
+  sift(aim, best.cost);
   candidates_.clear();
-  for (std::size_t i = 0; i < population; ++i) {
-    double least = bases_[i];
+  for (std::size_t k = 0; k < sifting_.found_count; ++k) {
+    const std::uint32_t i = promising_[k];
+    const Vec2 at = aim.sample + Vec2{x_[i], y_[i]};
+    const double base = per_radius_ * distance(at, aim.sample) + per_diagonal_ * distance(at, aim.goal);
+    double least = base;
     if (!(least < best.cost)) continue;
-    const PlaneView::Seen goal = has_view_ ? view_.seen(agent(i)) : PlaneView::Seen::not_told;
+    const PlaneView::Seen goal = aim.is_hidden ? PlaneView::Seen::no : has_view_ ? view_.seen(at) : PlaneView::Seen::not_told;
     if (goal == PlaneView::Seen::no) least += options_.view_weight;
-    if (least < best.cost) candidates_.push_back({least, i, goal});
+    if (least < best.cost) candidates_.push_back({least, base, at, i, goal});
   }
-  std::size_t best_agent = population;
+  std::uint32_t best_agent = std::numeric_limits<std::uint32_t>::max();
   while (!candidates_.empty()) {
     std::size_t next = 0;
     for (std::size_t k = 1; k < candidates_.size(); ++k) {
@@ -87,102 +116,47 @@ void WhaleSteering::look(const Aim& aim, Best& best) {
     candidates_[next] = candidates_.back();
     candidates_.pop_back();
     if (candidate.least > best.cost) break;
-    const bool is_before = best_agent < population && candidate.agent < best_agent;  // of this population, where equal costs go to the first
+    const bool is_before = candidate.agent < best_agent && best_agent < population_;  // of this population, where equal costs go to the first
     const double enough = is_before ? std::nextafter(best.cost, std::numeric_limits<double>::infinity()) : best.cost;
     const double cost = whole_cost(aim, candidate, enough);
     if (!(cost < enough)) continue;
-    best = {agent(candidate.agent), cost};
+    best = {candidate.at, {x_[candidate.agent], y_[candidate.agent]}, cost};
     best_agent = candidate.agent;
   }
 }
 
-/// Of all iterations: what is drawn does not depend on what is found.
-void WhaleSteering::draw_moves(Random& random) {
-  std::size_t spirals = 0;
-  std::uint32_t m = 0;
-  for (int t = 0; t < options_.iterations; ++t) {
-    const double reach = whale_reach(options_.whale.start, static_cast<std::size_t>(t), static_cast<std::size_t>(options_.iterations));
-    for (int i = 0; i < options_.population; ++i, ++m) {
-      const WhaleDraws draws = WhaleDraws::from(random);
-      const bool is_spiral = is_whale_spiral(options_.whale, draws);
-      const WhaleStep step = whale_step_but_spiral(options_.whale, reach, draws);
-      factors_[m] = -step.factor;
-      scales_[m] = is_spiral ? 1.0 : step.scale;
-      others_[m] = none;
-      spirals_[spirals] = draws.l;  // each is written, and stays where it is one: no branch to guess
-      spiral_moves_[spirals] = m;
-      spirals += is_spiral ? 1 : 0;
-      if (!is_spiral && step.move == WhaleMove::search) others_[m] = static_cast<std::uint32_t>(random.integer(0, options_.population - 1));
-    }
-  }
-  whale_spirals(options_.whale, {spirals_.data(), spirals});
-  for (std::size_t k = 0; k < spirals; ++k) factors_[spiral_moves_[k]] = spirals_[k];
-}
-
-namespace {
-
-/// Moves coordinate by coordinate as make_whale_step has it, then into the disc about the sample. All plain numbers, so that the compiler makes vectors of many.
-struct Mover {
-  Vec2 low, high, middle, sample;
-  double radius;
-
-  static double moved(double factor, double scale, double target, double low, double high, double middle, double x) {
-    const double from_target = std::abs(scale * (target - middle) - (x - middle));
-    const double wanted = target + factor * from_target;
-    const double above = wanted < low ? low : wanted;
-    return above > high ? high : above;
-  }
-  void operator()(double factor, double scale, double target_x, double target_y, double x, double y, double& to_x, double& to_y) const {
-    const double at_x = moved(factor, scale, target_x, low.x, high.x, middle.x, x), at_y = moved(factor, scale, target_y, low.y, high.y, middle.y, y);
-    const double off_x = at_x - sample.x, off_y = at_y - sample.y, squared = off_x * off_x + off_y * off_y, most = radius * radius;
-    // The root is taken whether it is needed or not, which cannot be guessed: of the square of the radius where it is not.
-    const double share = radius / std::sqrt(squared > most ? squared : most);
-    to_x = squared > most ? sample.x + share * off_x : at_x;
-    to_y = squared > most ? sample.y + share * off_y : at_y;
-  }
-};
-
-}  // namespace
-
-/// One iteration, agent after agent: whoever searches goes to where the other one is by then.
-void WhaleSteering::move(std::size_t iteration, Vec2 leader, Vec2 sample) {
-  const std::size_t population = x_.size(), first = iteration * population;
-  const Vec2 reach{options_.radius, options_.radius};
-  const Vec2 low = sample - reach, high = sample + reach;
-  const Mover mover{low, high, {0.5 * (low.x + high.x), 0.5 * (low.y + high.y)}, sample, options_.radius};
-  const double* const factors = factors_.data() + first;
-  const double* const scales = scales_.data() + first;
-  const double* const x = x_.data();
-  const double* const y = y_.data();
-  double* const new_x = new_x_.data();
-  double* const new_y = new_y_.data();
-#pragma GCC ivdep
-  for (std::size_t i = 0; i < population; ++i) mover(factors[i], scales[i], leader.x, leader.y, x[i], y[i], new_x[i], new_y[i]);
-  for (std::size_t i = 0; i < population; ++i) {
-    const std::uint32_t other = others_[first + i];
-    if (other == none) continue;
-    const bool has_moved = other < i;
-    mover(factors[i], scales[i], has_moved ? new_x[other] : x[other], has_moved ? new_y[other] : y[other], x[i], y[i], new_x[i], new_y[i]);
-  }
-  x_.swap(new_x_);
-  y_.swap(new_y_);
-}
-
 Vec2 WhaleSteering::aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
   prepare_view(goal);
-  const Aim aim{near, sample, goal, space_.room(near)};
-  Best best{sample, std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i < x_.size(); ++i) {
-    Vec2 q{};
-    do q = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
-    while (squared_norm(q) > 1.0);
-    x_[i] = sample.x + options_.radius * q.x;
-    y_[i] = sample.y + options_.radius * q.y;
-  }
-  draw_moves(random);
+  sample_ = sample;
+  Aim aim{near, sample, goal, space_.room(near), has_view_ && view_.hides(sample, options_.radius), sample - goal};
+  aim.away = norm(aim.from_goal);
+  aim.from_goal = (aim.away > 0.0 ? 1.0 / aim.away : 0.0) * aim.from_goal;
+  drawing_.counter = random.take(whale_lanes::drawn(drawing_.agents, drawing_.moves));
+  drawing_.x = x_.data();
+  drawing_.y = y_.data();
+  lanes_.draw(drawing_);
+  Best best{sample, {}, std::numeric_limits<double>::infinity()};
   look(aim, best);
-  for (std::size_t t = 0; t < static_cast<std::size_t>(options_.iterations); ++t) {
-    move(t, best.at, sample);
+  whale_lanes::Moving moving;
+  moving.agents = population_;
+  moving.radius = options_.radius;
+  const whale_lanes::Search* search = searches_.data();
+  const whale_lanes::Search* const searches_end = search + drawing_.searches_count;
+  for (; moving.first < drawing_.moves; moving.first += population_) {
+    moving.leader_x = best.off.x;
+    moving.leader_y = best.off.y;
+    moving.factor = factors_.data() + moving.first;
+    moving.scale = scales_.data() + moving.first;
+    moving.searches = search;
+    while (search != searches_end && search->move < moving.first + population_) ++search;
+    moving.searches_count = static_cast<std::size_t>(search - moving.searches);
+    moving.x = x_.data();
+    moving.y = y_.data();
+    moving.new_x = new_x_.data();
+    moving.new_y = new_y_.data();
+    lanes_.move(moving);
+    x_.swap(new_x_);
+    y_.swap(new_y_);
     look(aim, best);
   }
   return best.at;
@@ -200,7 +174,7 @@ void WhaleSteering::grown(std::int64_t samples) {
   }
   Drawn& drawn = drawn_.emplace_back();
   drawn.samples = static_cast<std::uint32_t>(samples);
-  for (std::size_t i = 0; i < x_.size(); ++i) drawn.agents.push_back(agent(i));
+  for (std::size_t i = 0; i < population_; ++i) drawn.agents.push_back(sample_ + Vec2{x_[i], y_[i]});
 }
 
 void WhaleSteering::draw(SearchPicture& picture) const {
