@@ -61,12 +61,29 @@ void WhaleSteering::prepare_view(Vec2 goal) {
   last_goal_ = goal;
 }
 
+/// What was in the way of one line is often in the way of the next one, at the same distance: that is looked at first.
+bool WhaleSteering::is_seen_from_tree(const Aim& aim, Vec2 x) {
+  ++lines_;
+  const double length = distance(aim.near, x), room = space_.room(x);
+  if (aim.room + room > length) return true;
+  const Vec2 along = (1.0 / length) * (x - aim.near);
+  bool is_hit = false;
+  for (const double hit : hits_) is_hit |= (hit < length) & space_.is_surely_blocked(aim.near + hit * along, 0.0);
+  if (is_hit) return false;
+  double hit = -1.0;
+  if (space_.is_free(aim.near, x, length, aim.room, room, hit)) return true;
+  if (hit >= 0.0) {
+    hits_[1] = hits_[0];
+    hits_[0] = hit;
+  }
+  return false;
+}
+
 /// The cost of a place, term by term, no further than to where it is `enough` at least.
 double WhaleSteering::whole_cost(const Aim& aim, const Candidate& candidate, double enough) {
   const Vec2 x = candidate.at;
   double sum = candidate.base;
-  ++lines_;
-  if (!space_.is_free(aim.near, x, distance(aim.near, x), aim.room, space_.room(x))) {
+  if (!is_seen_from_tree(aim, x)) {
     sum += options_.near_weight;
     if (sum >= enough) return sum;
     if (!space_.is_free(x)) sum += blocked_weight;
@@ -128,6 +145,7 @@ void WhaleSteering::look(const Aim& aim, Best& best) {
 Vec2 WhaleSteering::aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
   prepare_view(goal);
   sample_ = sample;
+  hits_.fill(std::numeric_limits<double>::infinity());
   Aim aim{near, sample, goal, space_.room(near), has_view_ && view_.hides(sample, options_.radius), sample - goal};
   aim.away = norm(aim.from_goal);
   aim.from_goal = (aim.away > 0.0 ? 1.0 / aim.away : 0.0) * aim.from_goal;

@@ -1,6 +1,7 @@
 // Steering of the RRT*-WOA publication's local variant: the whale optimisation algorithm looks around a sample for where the tree sees the goal.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -60,6 +61,7 @@ class WhaleSteering final : public TreeSteering {
   void prepare_view(Vec2 goal);
   void sift(const Aim& aim, double enough);
   void look(const Aim& aim, Best& best);
+  bool is_seen_from_tree(const Aim& aim, Vec2 x);
   double whole_cost(const Aim& aim, const Candidate& candidate, double enough);
 
   const PlaneSpace& space_;
@@ -77,6 +79,7 @@ class WhaleSteering final : public TreeSteering {
   // Moves of all iterations, ahead, as they do not depend on what is found.
   std::vector<double> reaches_, factors_, scales_;
   std::vector<whale_lanes::Search> searches_;
+  std::array<double, 2> hits_{};  // m from `near`: where the last lines that were not free were surely blocked
   whale_lanes::Drawing drawing_;
   whale_lanes::Sifting sifting_;
   struct Drawn {
