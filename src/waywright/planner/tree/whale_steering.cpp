@@ -25,7 +25,7 @@ WhaleSteering::WhaleSteering(const PlaneSpace& space, const WhaleSteeringOptions
   for (std::vector<double>* values : {&x_, &y_, &new_x_, &new_y_}) values->resize(population_ + whale_lanes::spare);
   for (std::vector<double>* values : {&reaches_, &factors_, &scales_}) values->resize(moves + whale_lanes::spare);
   promising_.resize(population_ + whale_lanes::spare);
-  candidates_.reserve(population_);
+  candidates_.resize(population_ + 1);
   drawing_.agents = population_;
   drawing_.moves = moves;
   for (std::size_t m = 0; m < moves; ++m) {
@@ -62,16 +62,17 @@ void WhaleSteering::prepare_view(Vec2 goal) {
 }
 
 /// What was in the way of one line is often in the way of the next one, at the same distance: that is looked at first.
-bool WhaleSteering::is_seen_from_tree(const Aim& aim, Vec2 x) {
+bool WhaleSteering::is_seen_from_tree(const Aim& aim, const Candidate& candidate) {
   ++lines_;
-  const double length = distance(aim.near, x), room = space_.room(x);
-  if (aim.room + room > length) return true;
+  const Vec2 x = candidate.at;
+  const double length = candidate.from_near;
+  if (aim.room + candidate.room > length) return true;
   const Vec2 along = (1.0 / length) * (x - aim.near);
   bool is_hit = false;
   for (const double hit : hits_) is_hit |= (hit < length) & space_.is_surely_blocked(aim.near + hit * along, 0.0);
   if (is_hit) return false;
   double hit = -1.0;
-  if (space_.is_free(aim.near, x, length, aim.room, room, hit)) return true;
+  if (space_.is_free(aim.near, x, length, aim.room, candidate.room, hit)) return true;
   if (hit >= 0.0) {
     hits_[1] = hits_[0];
     hits_[0] = hit;
@@ -83,7 +84,7 @@ bool WhaleSteering::is_seen_from_tree(const Aim& aim, Vec2 x) {
 double WhaleSteering::whole_cost(const Aim& aim, const Candidate& candidate, double enough) {
   const Vec2 x = candidate.at;
   double sum = candidate.base;
-  if (!is_seen_from_tree(aim, x)) {
+  if (!is_seen_from_tree(aim, candidate)) {
     sum += options_.near_weight;
     if (sum >= enough) return sum;
     if (!space_.is_free(x)) sum += blocked_weight;
@@ -112,26 +113,30 @@ void WhaleSteering::sift(const Aim& aim, double enough) {
 void WhaleSteering::look(const Aim& aim, Best& best) {
   evaluations_ += options_.population;
   sift(aim, best.cost);
-  candidates_.clear();
-  for (std::size_t k = 0; k < sifting_.found_count; ++k) {
+  Candidate* const candidates = candidates_.data();
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < sifting_.found_count; ++k) {  // each is written, and stays where it could be the best
     const std::uint32_t i = promising_[k];
-    const Vec2 at = aim.sample + Vec2{x_[i], y_[i]};
-    const double base = per_radius_ * distance(at, aim.sample) + per_diagonal_ * distance(at, aim.goal);
-    double least = base;
-    if (!(least < best.cost)) continue;
-    const PlaneView::Seen goal = aim.is_hidden ? PlaneView::Seen::no : has_view_ ? view_.seen(at) : PlaneView::Seen::not_told;
-    if (goal == PlaneView::Seen::no) least += options_.view_weight;
-    if (least < best.cost) candidates_.push_back({least, base, at, i, goal});
+    Candidate& c = candidates[count];
+    c.at = aim.sample + Vec2{x_[i], y_[i]};
+    c.agent = i;
+    c.base = per_radius_ * distance(c.at, aim.sample) + per_diagonal_ * distance(c.at, aim.goal);
+    c.room = space_.room(c.at);  // of all, ahead: none waits for the table
+    c.from_near = distance(aim.near, c.at);
+    c.goal = PlaneView::Seen::no;
+    if (!aim.is_hidden) {
+      if (!(c.base < best.cost)) continue;
+      c.goal = has_view_ ? view_.seen(c.at) : PlaneView::Seen::not_told;
+    }
+    c.least = c.goal == PlaneView::Seen::no ? c.base + options_.view_weight : c.base;
+    count += c.least < best.cost ? 1 : 0;
   }
   std::uint32_t best_agent = std::numeric_limits<std::uint32_t>::max();
-  while (!candidates_.empty()) {
+  while (count > 0) {
     std::size_t next = 0;
-    for (std::size_t k = 1; k < candidates_.size(); ++k) {
-      if (candidates_[k].least < candidates_[next].least) next = k;
-    }
-    const Candidate candidate = candidates_[next];
-    candidates_[next] = candidates_.back();
-    candidates_.pop_back();
+    for (std::size_t k = 1; k < count; ++k) next = candidates[k].least < candidates[next].least ? k : next;
+    const Candidate candidate = candidates[next];
+    candidates[next] = candidates[--count];
     if (candidate.least > best.cost) break;
     const bool is_before = candidate.agent < best_agent && best_agent < population_;  // of this population, where equal costs go to the first
     const double enough = is_before ? std::nextafter(best.cost, std::numeric_limits<double>::infinity()) : best.cost;

@@ -47,6 +47,7 @@ class WhaleSteering final : public TreeSteering {
   struct Candidate {
     double least = 0.0;  // of its cost
     double base = 0.0;   // its distances' share
+    double room = 0.0, from_near = 0.0;  // m: PlaneSpace::room, distance
     Vec2 at{};
     std::uint32_t agent = 0;
     PlaneView::Seen goal = PlaneView::Seen::not_told;
@@ -61,7 +62,7 @@ class WhaleSteering final : public TreeSteering {
   void prepare_view(Vec2 goal);
   void sift(const Aim& aim, double enough);
   void look(const Aim& aim, Best& best);
-  bool is_seen_from_tree(const Aim& aim, Vec2 x);
+  bool is_seen_from_tree(const Aim& aim, const Candidate& candidate);
   double whole_cost(const Aim& aim, const Candidate& candidate, double enough);
 
   const PlaneSpace& space_;
