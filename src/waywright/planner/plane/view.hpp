@@ -33,7 +33,15 @@ class PlaneView {
   }
   bool sees(Vec2 point) {
     const Seen told = seen(point);
-    return told == Seen::not_told ? space_->is_free(point, from_) : told == Seen::yes;
+    return told == Seen::not_told ? sees_beyond(point) : told == Seen::yes;
+  }
+  /// What the table leaves open, asked of the space: as far as all is seen nothing has to be asked. @pre seen(point) is not_told
+  bool sees_beyond(Vec2 point) const {
+    const Vec2 to = point - from_;
+    const double away = norm(to), known = std::sqrt(bins_[index(to)].seen);
+    if (!(known > 0.0) || !(away > known)) return space_->is_free(point, from_);
+    const Vec2 open = from_ + (known / away) * to;
+    return space_->is_free(point, open, distance(point, open), space_->room(point), space_->room(open));
   }
   /// True: the table tells that the place is seen from nowhere within `radius` (m) of the middle. @pre is_ready(), radius ≥ 0
   bool hides(Vec2 middle, double radius);

@@ -93,7 +93,7 @@ double WhaleSteering::whole_cost(const Aim& aim, const Candidate& candidate, dou
   if (candidate.goal == PlaneView::Seen::yes) return sum;
   if (candidate.goal == PlaneView::Seen::not_told) {
     ++lines_;
-    if (space_.is_free(x, aim.goal)) return sum;
+    if (has_view_ ? view_.sees_beyond(x) : space_.is_free(x, aim.goal)) return sum;
   }
   return sum + options_.view_weight;
 }
