@@ -22,10 +22,9 @@ WhaleSteering::WhaleSteering(const PlaneSpace& space, const WhaleSteeringOptions
   const double farthest = std::max(std::max(std::abs(region.low.x), std::abs(region.low.y)), std::max(std::abs(region.high.x), std::abs(region.high.y))) + options.radius;
   rounding_ = 1e-14 * (per_radius_ + per_diagonal_) * farthest + 1e-12 * (options.sample_weight + options.goal_weight);
   const std::size_t iterations = static_cast<std::size_t>(options.iterations), moves = population_ * iterations;
-  for (std::vector<double>* values : {&x_, &y_, &new_x_, &new_y_}) values->resize(population_ + whale_lanes::spare);
+  for (std::vector<double>* values : {&x_, &y_, &new_x_, &new_y_, &keys_}) values->resize(population_ + whale_lanes::spare);
   for (std::vector<double>* values : {&reaches_, &factors_, &scales_}) values->resize(moves + whale_lanes::spare);
-  promising_.resize(population_ + whale_lanes::spare);
-  candidates_.resize(population_ + 1);
+  seen_.resize(population_, PlaneView::Seen::not_told);
   drawing_.agents = population_;
   drawing_.moves = moves;
   for (std::size_t m = 0; m < moves; ++m) {
@@ -41,9 +40,9 @@ WhaleSteering::WhaleSteering(const PlaneSpace& space, const WhaleSteeringOptions
   drawing_.factor = factors_.data();
   drawing_.scale = scales_.data();
   drawing_.searches = searches_.data();
-  sifting_.agents = population_;
-  sifting_.per_radius = per_radius_;
-  sifting_.found = promising_.data();
+  ranking_.agents = population_;
+  ranking_.per_radius = per_radius_;
+  ranking_.keys = keys_.data();
 }
 
 double WhaleSteering::cost(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal) const {
@@ -98,52 +97,57 @@ double WhaleSteering::whole_cost(const Aim& aim, const Candidate& candidate, dou
   return sum + options_.view_weight;
 }
 
-/// Those of the agents that may cost less than `enough`: the goal is no nearer to any than along the straight line from the sample to it.
-void WhaleSteering::sift(const Aim& aim, double enough) {
-  sifting_.x = x_.data();
-  sifting_.y = y_.data();
-  sifting_.along_x = per_diagonal_ * aim.from_goal.x;
-  sifting_.along_y = per_diagonal_ * aim.from_goal.y;
-  sifting_.most = enough - (aim.is_hidden ? options_.view_weight : 0.0) - per_diagonal_ * aim.away + rounding_;
-  lanes_.sift(sifting_);
+/// What is cheap of an agent's cost.
+void WhaleSteering::told(const Aim& aim, Candidate& c) const {
+  c.at = aim.sample + Vec2{x_[c.agent], y_[c.agent]};
+  c.base = per_radius_ * distance(c.at, aim.sample) + per_diagonal_ * distance(c.at, aim.goal);
+  c.room = space_.room(c.at);
+  c.from_near = distance(aim.near, c.at);
+  c.goal = aim.is_hidden ? PlaneView::Seen::no : seen_[c.agent];
+  c.least = c.goal == PlaneView::Seen::no ? c.base + options_.view_weight : c.base;
 }
 
-/// The best of all agents and of what was best before; of equal ones the first. What is cheap is told of all, then those that could be the best are looked at, the
-/// most promising one first, until no other one can be better.
+/// The best of all agents and of what was best before; of equal ones the first. Agents have keys that are no more than what they cost, but for what is the same of all:
+/// the goal is no nearer than along the straight line from the sample to it. They are looked at in this order, until no other one can be better.
 void WhaleSteering::look(const Aim& aim, Best& best) {
   evaluations_ += options_.population;
-  sift(aim, best.cost);
-  Candidate* const candidates = candidates_.data();
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < sifting_.found_count; ++k) {  // each is written, and stays where it could be the best
-    const std::uint32_t i = promising_[k];
-    Candidate& c = candidates[count];
-    c.at = aim.sample + Vec2{x_[i], y_[i]};
-    c.agent = i;
-    c.base = per_radius_ * distance(c.at, aim.sample) + per_diagonal_ * distance(c.at, aim.goal);
-    c.room = space_.room(c.at);  // of all, ahead: none waits for the table
-    c.from_near = distance(aim.near, c.at);
-    c.goal = PlaneView::Seen::no;
-    if (!aim.is_hidden) {
-      if (!(c.base < best.cost)) continue;
-      c.goal = has_view_ ? view_.seen(c.at) : PlaneView::Seen::not_told;
+  ranking_.x = x_.data();
+  ranking_.y = y_.data();
+  lanes_.rank(ranking_);
+  const double same = per_diagonal_ * aim.away + (aim.is_hidden ? options_.view_weight : 0.0) - rounding_;
+  double* const keys = keys_.data();
+  std::size_t next = ranking_.least;
+  const auto rank_again = [&] {
+    next = 0;
+    for (std::size_t i = 1; i < population_; ++i) next = keys[i] < keys[next] ? i : next;
+  };
+  if (!aim.is_hidden) {
+    for (std::size_t i = 0; i < population_; ++i) {
+      if (!(keys[i] + same < best.cost)) continue;
+      seen_[i] = has_view_ ? view_.seen(aim.sample + Vec2{x_[i], y_[i]}) : PlaneView::Seen::not_told;
+      if (seen_[i] == PlaneView::Seen::no) keys[i] += options_.view_weight;
     }
-    c.least = c.goal == PlaneView::Seen::no ? c.base + options_.view_weight : c.base;
-    count += c.least < best.cost ? 1 : 0;
+    rank_again();
   }
   std::uint32_t best_agent = std::numeric_limits<std::uint32_t>::max();
-  while (count > 0) {
-    std::size_t next = 0;
-    for (std::size_t k = 1; k < count; ++k) next = candidates[k].least < candidates[next].least ? k : next;
-    const Candidate candidate = candidates[next];
-    candidates[next] = candidates[--count];
-    if (candidate.least > best.cost) break;
+  while (keys[next] + same < best.cost) {
+    keys[next] = std::numeric_limits<double>::infinity();
+    Candidate candidate;
+    candidate.agent = static_cast<std::uint32_t>(next);
+    told(aim, candidate);
     const bool is_before = candidate.agent < best_agent && best_agent < population_;  // of this population, where equal costs go to the first
     const double enough = is_before ? std::nextafter(best.cost, std::numeric_limits<double>::infinity()) : best.cost;
-    const double cost = whole_cost(aim, candidate, enough);
-    if (!(cost < enough)) continue;
-    best = {candidate.at, {x_[candidate.agent], y_[candidate.agent]}, cost};
-    best_agent = candidate.agent;
+    if (candidate.least < enough) {
+      const double cost = whole_cost(aim, candidate, enough);
+      if (cost < enough) {
+        best = {candidate.at, {x_[candidate.agent], y_[candidate.agent]}, cost};
+        best_agent = candidate.agent;
+      }
+    }
+    bool is_any = false;
+    for (std::size_t i = 0; i < population_; ++i) is_any |= keys[i] + same < best.cost;
+    if (!is_any) break;
+    rank_again();
   }
 }
 
@@ -154,6 +158,8 @@ Vec2 WhaleSteering::aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
   Aim aim{near, sample, goal, space_.room(near), has_view_ && view_.hides(sample, options_.radius), sample - goal};
   aim.away = norm(aim.from_goal);
   aim.from_goal = (aim.away > 0.0 ? 1.0 / aim.away : 0.0) * aim.from_goal;
+  ranking_.along_x = per_diagonal_ * aim.from_goal.x;
+  ranking_.along_y = per_diagonal_ * aim.from_goal.y;
   drawing_.counter = random.take(whale_lanes::drawn(drawing_.agents, drawing_.moves));
   drawing_.x = x_.data();
   drawing_.y = y_.data();

@@ -60,7 +60,7 @@ class WhaleSteering final : public TreeSteering {
     double away = 0.0; // m, of the sample from the goal
   };
   void prepare_view(Vec2 goal);
-  void sift(const Aim& aim, double enough);
+  void told(const Aim& aim, Candidate& candidate) const;
   void look(const Aim& aim, Best& best);
   bool is_seen_from_tree(const Aim& aim, const Candidate& candidate);
   double whole_cost(const Aim& aim, const Candidate& candidate, double enough);
@@ -75,14 +75,14 @@ class WhaleSteering final : public TreeSteering {
   bool has_goal_ = false, has_view_ = false;
   const whale_lanes::Kernels& lanes_ = whale_lanes::best();
   std::vector<double> x_, y_, new_x_, new_y_;  // of the agents, from the sample; before and after a move
-  std::vector<std::uint32_t> promising_;
-  std::vector<Candidate> candidates_;
+  std::vector<double> keys_;
+  std::vector<PlaneView::Seen> seen_;
   // Moves of all iterations, ahead, as they do not depend on what is found.
   std::vector<double> reaches_, factors_, scales_;
   std::vector<whale_lanes::Search> searches_;
   std::array<double, 2> hits_{};  // m from `near`: where the last lines that were not free were surely blocked
   whale_lanes::Drawing drawing_;
-  whale_lanes::Sifting sifting_;
+  whale_lanes::Ranking ranking_;
   struct Drawn {
     std::vector<Vec2> agents;
     std::uint32_t samples;

@@ -1,4 +1,4 @@
-// The inner loops of local whales: what an extension draws, how its agents move, and which of them can be better than the best, as many side by side as a register has
+// The inner loops of local whales: what an extension draws, how its agents move, and which of them is the most promising, as many side by side as a register has
 // numbers. Written once, compiled for each instruction set, chosen at run time; every one gives the same bits, because each lane is plain IEEE arithmetic in a fixed order.
 //
 // Places count from the sample, in metres.
@@ -50,13 +50,13 @@ struct Moving {
   double *new_x = nullptr, *new_y = nullptr;         ///< out: after
 };
 
-/// Which agents may cost less than something: per_radius |x| + along_x x + along_y y < most.
-struct Sifting {
-  std::size_t agents = 0;
+/// What of an agent's cost is told by where it is: per_radius |x| + along_x x + along_y y.
+struct Ranking {
+  std::size_t agents = 0;  ///< > 0
   const double *x = nullptr, *y = nullptr;
-  double per_radius = 0.0, along_x = 0.0, along_y = 0.0, most = 0.0;
-  std::uint32_t* found = nullptr;  ///< out, in order
-  std::size_t found_count = 0;     ///< out
+  double per_radius = 0.0, along_x = 0.0, along_y = 0.0;
+  double* keys = nullptr;  ///< out
+  std::size_t least = 0;   ///< out: the first agent with the least of them
 };
 
 struct Kernels {
@@ -64,7 +64,7 @@ struct Kernels {
   void (*draw)(Drawing&);
   /// Agent after agent, as make_whale_step (optimizer/whale_step) has it about the middle of the disc, then into the disc: whoever searches goes to where the other one is by then.
   void (*move)(const Moving&);
-  void (*sift)(Sifting&);
+  void (*rank)(Ranking&);
 };
 
 /// Those that this processor can run, the plainest first.

@@ -181,19 +181,40 @@ void move(const Moving& given) {
   }
 }
 
-/// No root: what is left for the distance has to be more than nothing, and its square more than the distance's.
-void sift(Sifting& sifting) {
-  const Sifting s = sifting;
-  const double squared_weight = s.per_radius * s.per_radius;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < s.agents; i += native) {
-    const Doubles x = load(s.x + i), y = load(s.y + i);
-    const Doubles left = greater(s.most - (s.along_x * x + s.along_y * y), Doubles{});
-    unsigned found = less_bits(squared_weight * (x * x + y * y), left * left);
-    if (i + native > s.agents) found &= (1U << (s.agents - i)) - 1U;
-    for (; found != 0; found &= found - 1) s.found[count++] = static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(__builtin_ctz(found));
+/// The least of all lanes, in each.
+WAYWRIGHT_INLINE Doubles least_of(Doubles v) {
+#if defined(__AVX512F__)
+  v = lesser(v, __builtin_shuffle(v, Words{4, 5, 6, 7, 0, 1, 2, 3}));
+  v = lesser(v, __builtin_shuffle(v, Words{2, 3, 0, 1, 6, 7, 4, 5}));
+  return lesser(v, __builtin_shuffle(v, Words{1, 0, 3, 2, 5, 4, 7, 6}));
+#elif defined(__AVX__)
+  v = lesser(v, __builtin_shuffle(v, Words{2, 3, 0, 1}));
+  return lesser(v, __builtin_shuffle(v, Words{1, 0, 3, 2}));
+#else
+  return lesser(v, __builtin_shuffle(v, Words{1, 0}));
+#endif
+}
+
+void rank(Ranking& ranking) {
+  const Ranking r = ranking;
+  const Doubles nowhere = all(__builtin_inf());
+  Doubles number{};
+  for (int k = 0; k < native; ++k) number[k] = static_cast<double>(k);
+  Doubles least = nowhere;
+  for (std::size_t i = 0; i < r.agents; i += native, number += static_cast<double>(native)) {
+    const Doubles x = load(r.x + i), y = load(r.y + i);
+    const Doubles key = number < static_cast<double>(r.agents) ? r.per_radius * root(x * x + y * y) + (r.along_x * x + r.along_y * y) : nowhere;
+    store(r.keys + i, key);
+    least = lesser(least, key);
   }
-  sifting.found_count = count;
+  least = least_of(least);
+  std::size_t first = 0;
+  unsigned found = bits(load(r.keys) == least);
+  while (found == 0) {
+    first += native;
+    found = bits(load(r.keys + first) == least);
+  }
+  ranking.least = first + static_cast<std::size_t>(__builtin_ctz(found));
 }
 
 }  // namespace

@@ -3,6 +3,6 @@
 namespace waywright::whale_lanes {
 
 extern const Kernels avx512_kernels;
-const Kernels avx512_kernels{"avx512", draw, move, sift};
+const Kernels avx512_kernels{"avx512", draw, move, rank};
 
 }  // namespace waywright::whale_lanes
