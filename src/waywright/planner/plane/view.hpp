@@ -28,7 +28,7 @@ class PlaneView {
     const Vec2 to = point - from_;
     const double squared = squared_norm(to);
     Bin& bin = bins_[index(to)];
-    if (bin.seen < 0.0) fill(bin, index(to));
+    if (bin.seen < 0.0) fill(index(to));
     return squared < bin.seen ? Seen::yes : squared > bin.hidden ? Seen::no : Seen::not_told;
   }
   bool sees(Vec2 point) {
@@ -47,7 +47,7 @@ class PlaneView {
   bool hides(Vec2 middle, double radius);
 
  private:
-  static constexpr std::size_t count = 2048;
+  static constexpr std::size_t count = 2048, together = 4;
   struct Bin {
     double seen = -1.0;  // m², squared distance up to which all is seen; negative: not looked at yet
     double hidden = std::numeric_limits<double>::infinity();  // m², squared distance from which on nothing is
@@ -63,7 +63,7 @@ class PlaneView {
   static std::size_t index(Vec2 v) { return static_cast<std::size_t>(around(v) * (static_cast<double>(count) / 4.0)); }
   static Vec2 direction(double around);
   void hide_behind_edges();
-  void fill(Bin& bin, std::size_t i) const;
+  void fill(std::size_t i);
 
   const PlaneSpace* space_ = nullptr;
   Vec2 from_{};
