@@ -14,6 +14,7 @@ namespace {
 constexpr double cells_across = 600.0;        // of the table, along the longer side of the region
 constexpr double least_cell = 0.02;           // m
 constexpr std::size_t most_cells = 1U << 20U;
+constexpr std::size_t places = 4;             // of a line that are looked at at once
 
 /// Taut ways lie in the hull of the ends and of obstacles grown by what is kept from them; more room serves searches that are not taut.
 Box region_of(const Problem& problem, double needed) {
@@ -54,6 +55,8 @@ PlaneSpace::PlaneSpace(const Problem& problem)
   options.cap = needed_ + std::max(2.0, 64.0 * options.cell);
   options.most_cells = most_cells;
   field_ = ClearanceField{problem.world(), region_, options};
+  table_ = ClearanceTiles{field_};
+  slack_ = field_.slack() + table_.step();
   table_reach_ = options.sharp;
   const double slack = field_.slack();
   std::int64_t cells = 0;
@@ -62,47 +65,73 @@ PlaneSpace::PlaneSpace(const Problem& problem)
 }
 
 bool PlaneSpace::is_free(Vec2 point, double margin) const {
-  const double known = field_.at(point);
+  const double known = table_.at(point);
   if (known > margin) return true;
-  if (known >= 0.0 && known + field_.slack() <= std::min(margin, table_reach_)) return false;
+  if (known >= 0.0 && known + slack_ <= std::min(margin, table_reach_)) return false;
   return keeps(point, point, margin, known > 0.0);
 }
 
 bool PlaneSpace::is_free(Vec2 from, Vec2 to, double margin) const {
   const double length = distance(from, to);
   if (!(length > 0.0)) return is_free(from, margin);
-  return is_free_between(from, to, length, static_cast<double>(field_.at(from)) - margin, static_cast<double>(field_.at(to)) - margin, margin);
+  return is_free_between(from, to, length, table_.at(from) - margin, table_.at(to) - margin, margin, nullptr);
 }
 
-/// From both ends as far as the table allows, in turn: two chains of look-ups that do not wait for each other. Where they stop, going on from there tells whether
-/// something is too near for sure; only what the table leaves open is asked of the outlines.
-bool PlaneSpace::is_free_between(Vec2 from, Vec2 to, double length, double room_from, double room_to, double margin) const {
+/// What both ends do not cover is looked at in some places at once, which do not wait for each other: they may cover it, or one may be too near to something for sure. Else
+/// from both ends as far as the table allows, in turn. Where that stops, going on from there tells whether something is too near; only what the table leaves open is
+/// asked of the outlines.
+bool PlaneSpace::is_free_between(Vec2 from, Vec2 to, double length, double room_from, double room_to, double margin, double* hit) const {
   if (!(length > 0.0)) return is_free(from, margin);
   const Vec2 along = (1.0 / length) * (to - from);
   const double least_step = field_.cell() / 16.0;  // less than that leads nowhere
-  double begin = 0.0, end = length;                // what is not known to be free yet
+  const double in_the_way = std::min(margin, table_reach_) - slack_ - margin;  // rooms up to this tell that something is too near
+  const auto blocked = [&](double at) {
+    if (hit != nullptr) *hit = at;
+    return false;
+  };
+  double begin = std::max(0.0, room_from), end = length - std::max(0.0, room_to);  // what is not known to be free yet
+  if (begin > end) return true;
+  const double part = (end - begin) / places, half = 0.5 * part;
+  std::array<double, places> at, rooms;
+  for (std::size_t i = 0; i < places; ++i) {
+    at[i] = begin + (static_cast<double>(i) + 0.5) * part;
+    rooms[i] = table_.at(from + at[i] * along) - margin;
+  }
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < places; ++i) {
+    if (rooms[i] <= in_the_way && rooms[i] >= -margin) return blocked(at[i]);
+    covered += rooms[i] > half ? 1 : 0;
+  }
+  if (covered == places) return true;
+  std::size_t first_open = 0, last_open = places - 1;
+  while (rooms[first_open] > half) ++first_open;
+  while (rooms[last_open] > half) --last_open;
+  if (first_open > 0) begin = at[first_open - 1];
+  if (last_open + 1 < places) end = at[last_open + 1];
+  room_from = first_open > 0 ? rooms[first_open - 1] : table_.at(from + begin * along) - margin;
+  room_to = last_open + 1 < places ? rooms[last_open + 1] : table_.at(from + end * along) - margin;
   while (room_from > least_step && room_to > least_step) {
     begin += room_from;  // nothing is nearer than what is needed to any point of the way up to there
     end -= room_to;
     if (begin > end) return true;
-    room_from = static_cast<double>(field_.at(from + begin * along)) - margin;
-    room_to = static_cast<double>(field_.at(from + end * along)) - margin;
+    room_from = table_.at(from + begin * along) - margin;
+    room_to = table_.at(from + end * along) - margin;
   }
   if (room_from > least_step) begin += room_from;
   if (room_to > least_step) end -= room_to;
   if (begin > end) return true;
-  const double in_the_way = std::min(margin, table_reach_) - field_.slack() - margin;  // rooms up to this tell that something is too near
   if (in_the_way >= -margin) {
     const double step = 0.75 * field_.cell();
     const bool is_forwards = !(room_from > least_step);
     for (double off = 0.0; off <= end - begin;) {
-      const double room = static_cast<double>(field_.at(from + (is_forwards ? begin + off : end - off) * along)) - margin;
-      if (room <= in_the_way && room >= -margin) return false;
+      const double place = is_forwards ? begin + off : end - off;
+      const double room = table_.at(from + place * along) - margin;
+      if (room <= in_the_way && room >= -margin) return blocked(place);
       off += std::max(room, step);
     }
   }
   const Vec2 first = from + begin * along;
-  return keeps(first, end < length ? from + end * along : to, margin, field_.at(first) > 0.0F);
+  return keeps(first, end < length ? from + end * along : to, margin, table_.at(first) > 0.0);
 }
 
 bool PlaneSpace::may_join(Vec2 from, Vec2 to) const {

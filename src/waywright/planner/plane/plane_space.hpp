@@ -3,6 +3,7 @@
 #pragma once
 
 #include "waywright/map/clearance_field.hpp"
+#include "waywright/planner/plane/clearance_tiles.hpp"
 #include "waywright/scenario/problem.hpp"
 
 namespace waywright {
@@ -32,23 +33,27 @@ class PlaneSpace {
   /// cells count as open.
   bool may_join(Vec2 from, Vec2 to) const;
   /// No obstacle is nearer to the point than this, m; 0 where nothing is known.
-  double at_least(Vec2 point) const { return std::max(0.0, static_cast<double>(field_.at(point))); }
+  double at_least(Vec2 point) const { return std::max(0.0, table_.at(point)); }
 
   /// m that the table is sure of beyond what is needed: as far as that from the point all is free. Not positive where it does not tell.
-  double room(Vec2 point) const { return static_cast<double>(field_.at(point)) - needed_; }
+  double room(Vec2 point) const { return table_.at(point) - needed_; }
   /// What is_free(from, to) is, told at once where the rooms of both ends cover the line. @pre `length` is that of the line, the rooms are those of its ends
   bool is_free(Vec2 from, Vec2 to, double length, double room_from, double room_to) const {
-    return room_from + room_to > length || is_free_between(from, to, length, room_from, room_to, needed_);
+    return room_from + room_to > length || is_free_between(from, to, length, room_from, room_to, needed_, nullptr);
+  }
+  /// The same; where it is not free and the table alone tells so, `hit` is how far (m) from `from` the line is surely blocked. Else it stays what it is.
+  bool is_free(Vec2 from, Vec2 to, double length, double room_from, double room_to, double& hit) const {
+    return room_from + room_to > length || is_free_between(from, to, length, room_from, room_to, needed_, &hit);
   }
   double table_cell() const { return field_.cell(); }  ///< m
   /// The table is sure that no place within `off` (m) of the point is free.
   bool is_surely_blocked(Vec2 point, double off) const {
-    const double known = field_.at(point);
-    return known >= 0.0 && known + field_.slack() + off <= std::min(needed_, table_reach_);
+    const double known = table_.at(point);
+    return known >= 0.0 && known + slack_ + off <= std::min(needed_, table_reach_);
   }
 
  private:
-  bool is_free_between(Vec2 from, Vec2 to, double length, double room_from, double room_to, double margin) const;
+  bool is_free_between(Vec2 from, Vec2 to, double length, double room_from, double room_to, double margin, double* hit) const;
   bool keeps(Vec2 from, Vec2 to, double margin, bool is_outside) const;  ///< asked of the exact outlines alone; `is_outside`: `from` is in nothing solid, that is known
 
   const Problem& problem_;
@@ -56,6 +61,8 @@ class PlaneSpace {
   double needed_;
   Box region_{};
   ClearanceField field_;
+  ClearanceTiles table_;  ///< the same, for look-ups
+  double slack_ = 0.0;    ///< m: of the table, see ClearanceField::slack
   double table_reach_ = 0.0;  ///< m: values up to this tell how near something is, too
   double free_area_ = 0.0;
 };

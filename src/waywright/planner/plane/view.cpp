@@ -1,6 +1,7 @@
 #include "waywright/planner/plane/view.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace waywright {
 namespace {
@@ -48,28 +49,61 @@ void PlaneView::hide_behind_edges() {
   }
 }
 
-/// Rays of the bin are off its middle by no more than `spread` times their length.
-void PlaneView::fill(Bin& bin, std::size_t i) const {
-  const double each = 4.0 / static_cast<double>(count), at = static_cast<double>(i) * each;
-  const Vec2 middle = direction(at + 0.5 * each);
-  const double spread = wider * std::max(distance(direction(at), middle), distance(direction(at + each), middle)) + 1e-12;
-  const double little = 0.25 * space_->table_cell();
-  double t = 0.0;
-  // All rays are free as far as the middle has room for the spread, too.
-  while (t < farthest_) {
-    const double room = space_->room(from_ + t * middle) - t * spread;
-    if (!(room > little)) break;
-    t += room / (1.0 + spread);
+bool PlaneView::hides(Vec2 middle, double radius) {
+  const Vec2 to = middle - from_;
+  const double away = norm(to);
+  if (!(away > wider * radius)) return false;
+  // Between the tangents to the disc; one bin more on either side, for rounding. They are less than half a turn apart.
+  const double sine = radius / away, cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
+  const std::size_t first = index(cosine * to - sine * left_of(to)) + count - 1, last = index(cosine * to + sine * left_of(to)) + 1;
+  const double nearest = (away - radius) * (away - radius) / wider;
+  for (std::size_t k = 0, bins = (last + 2 * count - first) % count + 1; k < bins; ++k) {
+    const std::size_t i = (first + k) % count;
+    if (bins_[i].hidden < nearest) continue;
+    if (bins_[i].seen < 0.0) fill(i);
+    if (!(bins_[i].hidden < nearest)) return false;
   }
-  bin.seen = t * t / wider;
-  // The first place that is too near to something whatever the ray: what is behind it is hidden.
-  while (t < farthest_ && t * t < bin.hidden) {
-    const Vec2 here = from_ + t * middle;
-    if (space_->is_surely_blocked(here, t * spread)) {
-      bin.hidden = t * t * wider;
-      return;
+  return true;
+}
+
+/// Of bins beside each other, whose rays do not wait for each other's look-ups. Rays of a bin are off its middle by no more than `spread` times their length.
+void PlaneView::fill(std::size_t i) {
+  const std::size_t first = i - i % together;
+  Bin* const bins = &bins_[first];
+  const double each = 4.0 / static_cast<double>(count), little = 0.25 * space_->table_cell();
+  std::array<Vec2, together> middle;
+  std::array<double, together> spread, t{};
+  for (std::size_t k = 0; k < together; ++k) {
+    const double at = static_cast<double>(first + k) * each;
+    middle[k] = direction(at + 0.5 * each);
+    spread[k] = wider * std::max(distance(direction(at), middle[k]), distance(direction(at + each), middle[k])) + 1e-12;
+  }
+  // All rays are free as far as the middle has room for the spread, too.
+  std::array<bool, together> goes_on;
+  goes_on.fill(true);
+  for (bool is_any = true; is_any;) {
+    is_any = false;
+    for (std::size_t k = 0; k < together; ++k) {
+      const double room = space_->room(from_ + t[k] * middle[k]) - t[k] * spread[k];
+      goes_on[k] = goes_on[k] & (t[k] < farthest_) & (room > little);
+      t[k] += goes_on[k] ? room / (1.0 + spread[k]) : 0.0;
+      is_any |= goes_on[k];
     }
-    t += std::max(space_->room(here), 2.0 * little);
+  }
+  for (std::size_t k = 0; k < together; ++k) bins[k].seen = t[k] * t[k] / wider;
+  // The first place that is too near to something whatever the ray: what is behind it is hidden.
+  goes_on.fill(true);
+  for (bool is_any = true; is_any;) {
+    is_any = false;
+    for (std::size_t k = 0; k < together; ++k) {
+      goes_on[k] = goes_on[k] && t[k] < farthest_ && t[k] * t[k] < bins[k].hidden;
+      if (!goes_on[k]) continue;
+      const Vec2 here = from_ + t[k] * middle[k];
+      is_any = true;
+      goes_on[k] = !space_->is_surely_blocked(here, t[k] * spread[k]);
+      if (goes_on[k]) t[k] += std::max(space_->room(here), 2.0 * little);
+      else bins[k].hidden = t[k] * t[k] * wider;
+    }
   }
 }
 

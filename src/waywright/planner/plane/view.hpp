@@ -28,16 +28,26 @@ class PlaneView {
     const Vec2 to = point - from_;
     const double squared = squared_norm(to);
     Bin& bin = bins_[index(to)];
-    if (bin.seen < 0.0) fill(bin, index(to));
+    if (bin.seen < 0.0) fill(index(to));
     return squared < bin.seen ? Seen::yes : squared > bin.hidden ? Seen::no : Seen::not_told;
   }
   bool sees(Vec2 point) {
     const Seen told = seen(point);
-    return told == Seen::not_told ? space_->is_free(point, from_) : told == Seen::yes;
+    return told == Seen::not_told ? sees_beyond(point) : told == Seen::yes;
   }
+  /// What the table leaves open, asked of the space: as far as all is seen nothing has to be asked. @pre seen(point) is not_told
+  bool sees_beyond(Vec2 point) const {
+    const Vec2 to = point - from_;
+    const double away = norm(to), known = std::sqrt(bins_[index(to)].seen);
+    if (!(known > 0.0) || !(away > known)) return space_->is_free(point, from_);
+    const Vec2 open = from_ + (known / away) * to;
+    return space_->is_free(point, open, distance(point, open), space_->room(point), space_->room(open));
+  }
+  /// True: the table tells that the place is seen from nowhere within `radius` (m) of the middle. @pre is_ready(), radius ≥ 0
+  bool hides(Vec2 middle, double radius);
 
  private:
-  static constexpr std::size_t count = 2048;
+  static constexpr std::size_t count = 2048, together = 4;
   struct Bin {
     double seen = -1.0;  // m², squared distance up to which all is seen; negative: not looked at yet
     double hidden = std::numeric_limits<double>::infinity();  // m², squared distance from which on nothing is
@@ -53,7 +63,7 @@ class PlaneView {
   static std::size_t index(Vec2 v) { return static_cast<std::size_t>(around(v) * (static_cast<double>(count) / 4.0)); }
   static Vec2 direction(double around);
   void hide_behind_edges();
-  void fill(Bin& bin, std::size_t i) const;
+  void fill(std::size_t i);
 
   const PlaneSpace* space_ = nullptr;
   Vec2 from_{};

@@ -142,8 +142,12 @@ TEST(PlaneTree, RrtFindsAPassageWithAsManySamplesAsItsWidthAsksFor) {
   }
 }
 
-/// As the steering has it, but every cost whole and every agent looked at.
-Vec2 plain_aim(const PlaneSpace& space, const WhaleSteeringOptions& o, const WhaleSteering& steering, Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
+/// As the steering has it, but every cost whole and every agent looked at. Its numbers in the order that planner/tree/lanes tells.
+Vec2 plain_aim(const WhaleSteeringOptions& o, const WhaleSteering& steering, Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
+  const auto population = static_cast<std::size_t>(o.population), iterations = static_cast<std::size_t>(o.iterations), moves = population * iterations;
+  std::vector<double> drawn(2 * population + 3 * moves);
+  for (double& d : drawn) d = random.uniform();
+  const double *const u = drawn.data(), *const v = u + population, *const r = v + population, *const s = r + moves, *const p = s + moves;
   std::vector<Vec2> agents;
   Vec2 best = sample;
   double cost = std::numeric_limits<double>::infinity();
@@ -154,47 +158,48 @@ Vec2 plain_aim(const PlaneSpace& space, const WhaleSteeringOptions& o, const Wha
       best = x;
     }
   };
-  for (int i = 0; i < o.population; ++i) {
-    Vec2 q{};
-    do q = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
-    while (squared_norm(q) > 1.0);
-    agents.push_back(sample + o.radius * q);
+  for (std::size_t i = 0; i < population; ++i) {
+    agents.push_back(sample + o.radius * std::sqrt(u[i]) * unit(two_pi * v[i]));
     look(agents.back());
   }
   const std::array<double, 2> low{sample.x - o.radius, sample.y - o.radius}, high{sample.x + o.radius, sample.y + o.radius};
-  for (int t = 0; t < o.iterations; ++t) {
+  for (std::size_t t = 0, m = 0; t < iterations; ++t) {
     const Vec2 leader = best;
-    for (Vec2& agent : agents) {
-      const WhaleStep step = whale_step(o.whale, whale_reach(o.whale.start, static_cast<std::size_t>(t), static_cast<std::size_t>(o.iterations)), WhaleDraws::from(random));
-      const Vec2 target = step.move == WhaleMove::search ? agents[static_cast<std::size_t>(random.integer(0, o.population - 1))] : leader;
-      std::array<double, 2> x{agent.x, agent.y};
+    for (std::size_t i = 0; i < population; ++i, ++m) {
+      const WhaleStep step = whale_step(o.whale, whale_reach(o.whale.start, t, iterations), {r[m], s[m], 2.0 * r[m] - 1.0, p[m]});
+      const Vec2 target = step.move == WhaleMove::search ? agents[static_cast<std::size_t>(p[m] / o.whale.choice * o.population)] : leader;
+      std::array<double, 2> x{agents[i].x, agents[i].y};
       make_whale_step(step, std::array{target.x, target.y}, low, high, x);
       const Vec2 off = Vec2{x[0], x[1]} - sample;
-      agent = norm(off) > o.radius ? sample + (o.radius / norm(off)) * off : Vec2{x[0], x[1]};
+      agents[i] = norm(off) > o.radius ? sample + (o.radius / norm(off)) * off : Vec2{x[0], x[1]};
     }
     for (const Vec2 agent : agents) look(agent);
   }
-  (void)space;
   return best;
 }
 
 TEST(WhaleSteering, LeavesOutOnlyWhatCannotMatter) {
   const Problem problem = walls();
   const PlaneSpace space{problem};
-  const WhaleSteeringOptions options;
-  WhaleSteering steering{space, options};
-  Random places{4};
-  std::int64_t plain_lines = 0;
-  for (int i = 0; i < 300; ++i) {
-    const Vec2 sample{places.uniform(0.5, 19.5), places.uniform(0.5, 19.5)};
-    const Vec2 near = sample + Vec2{places.uniform(-1.0, 1.0), places.uniform(-1.0, 1.0)};
-    Random a{static_cast<std::uint64_t>(i)}, b{static_cast<std::uint64_t>(i)};
-    const Vec2 aim = steering.aim(near, sample, {18.5, 18.5}, a);
-    ASSERT_LT(distance(aim, plain_aim(space, options, steering, near, sample, {18.5, 18.5}, b)), 1e-12) << i;
-    plain_lines += 220;
-    EXPECT_LE(distance(aim, sample), options.radius * (1.0 + 1e-12));
+  WhaleSteeringOptions few{.population = 3, .iterations = 4, .whale = {.start = 4.0, .spiral = 2.0, .choice = 0.9, .threshold = 0.5}};
+  few.sample_weight = 0.0;
+  WhaleSteeringOptions many{.population = 29, .iterations = 7, .radius = 6.0, .goal_weight = 0.3, .near_weight = 0.5};
+  for (const WhaleSteeringOptions& options : {WhaleSteeringOptions{}, few, many}) {
+    WhaleSteering steering{space, options};
+    Random places{4};
+    std::int64_t plain_lines = 0;
+    for (int i = 0; i < 300; ++i) {
+      const Vec2 sample{places.uniform(0.5, 19.5), places.uniform(0.5, 19.5)};
+      const Vec2 near = sample + Vec2{places.uniform(-1.0, 1.0), places.uniform(-1.0, 1.0)};
+      Random a{static_cast<std::uint64_t>(i)}, b{static_cast<std::uint64_t>(i)};
+      const Vec2 aim = steering.aim(near, sample, {18.5, 18.5}, a);
+      ASSERT_LT(distance(aim, plain_aim(options, steering, near, sample, {18.5, 18.5}, b)), 1e-12) << i;
+      ASSERT_EQ(a.next(), b.next());
+      plain_lines += 2 * options.population * (options.iterations + 1);
+      EXPECT_LE(distance(aim, sample), options.radius * (1.0 + 1e-12));
+    }
+    EXPECT_LT(steering.lines(), plain_lines);
   }
-  EXPECT_LT(steering.lines(), plain_lines);
 }
 
 TEST(WhaleSteering, FewerNodesThanWithoutIt) {

@@ -1,5 +1,6 @@
 #include "waywright/planner/tree/whale_steering.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,16 +13,36 @@ constexpr std::size_t most_drawn = 100;  // swarms
 }  // namespace
 
 WhaleSteering::WhaleSteering(const PlaneSpace& space, const WhaleSteeringOptions& options)
-    : space_{space}, options_{options}, per_radius_{options.sample_weight / options.radius}, per_diagonal_{options.goal_weight / norm(space.region().high - space.region().low)} {
-  const auto population = static_cast<std::size_t>(options.population);
-  for (std::vector<double>* values : {&x_, &y_, &new_x_, &new_y_, &bases_}) values->resize(population);
-  candidates_.reserve(population);
-  const std::size_t moves = population * static_cast<std::size_t>(options.iterations);
-  factors_.resize(moves);
-  scales_.resize(moves);
-  others_.resize(moves);
-  spirals_.resize(moves + 1);
-  spiral_moves_.resize(moves + 1);
+    : space_{space},
+      options_{options},
+      population_{static_cast<std::size_t>(options.population)},
+      per_radius_{options.sample_weight / options.radius},
+      per_diagonal_{options.goal_weight / norm(space.region().high - space.region().low)} {
+  const Box& region = space.region();
+  const double farthest = std::max(std::max(std::abs(region.low.x), std::abs(region.low.y)), std::max(std::abs(region.high.x), std::abs(region.high.y))) + options.radius;
+  rounding_ = 1e-14 * (per_radius_ + per_diagonal_) * farthest + 1e-12 * (options.sample_weight + options.goal_weight);
+  const std::size_t iterations = static_cast<std::size_t>(options.iterations), moves = population_ * iterations;
+  for (std::vector<double>* values : {&x_, &y_, &new_x_, &new_y_, &keys_}) values->resize(population_ + whale_lanes::spare);
+  for (std::vector<double>* values : {&reaches_, &factors_, &scales_}) values->resize(moves + whale_lanes::spare);
+  seen_.resize(population_, PlaneView::Seen::not_told);
+  drawing_.agents = population_;
+  drawing_.moves = moves;
+  for (std::size_t m = 0; m < moves; ++m) {
+    reaches_[m] = whale_reach(options.whale.start, m / population_, iterations);
+    if (reaches_[m] >= options.whale.threshold) drawing_.searching = m + 1;  // |A| is no greater than it
+  }
+  searches_.resize(drawing_.searching + whale_lanes::spare);
+  drawing_.reach = reaches_.data();
+  drawing_.spiral = options.whale.spiral;
+  drawing_.choice = options.whale.choice;
+  drawing_.threshold = options.whale.threshold;
+  drawing_.radius = options.radius;
+  drawing_.factor = factors_.data();
+  drawing_.scale = scales_.data();
+  drawing_.searches = searches_.data();
+  ranking_.agents = population_;
+  ranking_.per_radius = per_radius_;
+  ranking_.keys = keys_.data();
 }
 
 double WhaleSteering::cost(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal) const {
@@ -39,12 +60,30 @@ void WhaleSteering::prepare_view(Vec2 goal) {
   last_goal_ = goal;
 }
 
+/// What was in the way of one line is often in the way of the next one, at the same distance: that is looked at first.
+bool WhaleSteering::is_seen_from_tree(const Aim& aim, const Candidate& candidate) {
+  ++lines_;
+  const Vec2 x = candidate.at;
+  const double length = candidate.from_near;
+  if (aim.room + candidate.room > length) return true;
+  const Vec2 along = (1.0 / length) * (x - aim.near);
+  bool is_hit = false;
+  for (const double hit : hits_) is_hit |= (hit < length) & space_.is_surely_blocked(aim.near + hit * along, 0.0);
+  if (is_hit) return false;
+  double hit = -1.0;
+  if (space_.is_free(aim.near, x, length, aim.room, candidate.room, hit)) return true;
+  if (hit >= 0.0) {
+    hits_[1] = hits_[0];
+    hits_[0] = hit;
+  }
+  return false;
+}
+
 /// The cost of a place, term by term, no further than to where it is `enough` at least.
 double WhaleSteering::whole_cost(const Aim& aim, const Candidate& candidate, double enough) {
-  const Vec2 x = agent(candidate.agent);
-  double sum = bases_[candidate.agent];
-  ++lines_;
-  if (!space_.is_free(aim.near, x, distance(aim.near, x), aim.room, space_.room(x))) {
+  const Vec2 x = candidate.at;
+  double sum = candidate.base;
+  if (!is_seen_from_tree(aim, candidate)) {
     sum += options_.near_weight;
     if (sum >= enough) return sum;
     if (!space_.is_free(x)) sum += blocked_weight;
@@ -53,136 +92,100 @@ double WhaleSteering::whole_cost(const Aim& aim, const Candidate& candidate, dou
   if (candidate.goal == PlaneView::Seen::yes) return sum;
   if (candidate.goal == PlaneView::Seen::not_told) {
     ++lines_;
-    if (space_.is_free(x, aim.goal)) return sum;
+    if (has_view_ ? view_.sees_beyond(x) : space_.is_free(x, aim.goal)) return sum;
   }
   return sum + options_.view_weight;
 }
 
-/// The best of all agents and of what was best before; of equal ones the first. What is cheap is told of all, then those that could be the best are looked at, the
-/// most promising one first, until no other one can be better.
+/// What is cheap of an agent's cost.
+void WhaleSteering::told(const Aim& aim, Candidate& c) const {
+  c.at = aim.sample + Vec2{x_[c.agent], y_[c.agent]};
+  c.base = per_radius_ * distance(c.at, aim.sample) + per_diagonal_ * distance(c.at, aim.goal);
+  c.room = space_.room(c.at);
+  c.from_near = distance(aim.near, c.at);
+  c.goal = aim.is_hidden ? PlaneView::Seen::no : seen_[c.agent];
+  c.least = c.goal == PlaneView::Seen::no ? c.base + options_.view_weight : c.base;
+}
+
+/// The best of all agents and of what was best before; of equal ones the first. Agents have keys that are no more than what they cost, but for what is the same of all:
+/// the goal is no nearer than along the straight line from the sample to it. They are looked at in this order, until no other one can be better.
 void WhaleSteering::look(const Aim& aim, Best& best) {
-  const std::size_t population = x_.size();
-  evaluations_ += static_cast<std::int64_t>(population);
-  const double* const x = x_.data();
-  const double* const y = y_.data();
-  double* const bases = bases_.data();
-  const auto root = [](double dx, double dy) { return std::sqrt(dx * dx + dy * dy); };
-#pragma GCC ivdep
-  for (std::size_t i = 0; i < population; ++i) bases[i] = per_radius_ * root(x[i] - aim.sample.x, y[i] - aim.sample.y) + per_diagonal_ * root(x[i] - aim.goal.x, y[i] - aim.goal.y);
-  candidates_.clear();
-  for (std::size_t i = 0; i < population; ++i) {
-    double least = bases_[i];
-    if (!(least < best.cost)) continue;
-    const PlaneView::Seen goal = has_view_ ? view_.seen(agent(i)) : PlaneView::Seen::not_told;
-    if (goal == PlaneView::Seen::no) least += options_.view_weight;
-    if (least < best.cost) candidates_.push_back({least, i, goal});
-  }
-  std::size_t best_agent = population;
-  while (!candidates_.empty()) {
-    std::size_t next = 0;
-    for (std::size_t k = 1; k < candidates_.size(); ++k) {
-      if (candidates_[k].least < candidates_[next].least) next = k;
+  evaluations_ += options_.population;
+  ranking_.x = x_.data();
+  ranking_.y = y_.data();
+  lanes_.rank(ranking_);
+  const double same = per_diagonal_ * aim.away + (aim.is_hidden ? options_.view_weight : 0.0) - rounding_;
+  double* const keys = keys_.data();
+  std::size_t next = ranking_.least;
+  const auto rank_again = [&] {
+    next = 0;
+    for (std::size_t i = 1; i < population_; ++i) next = keys[i] < keys[next] ? i : next;
+  };
+  if (!aim.is_hidden) {
+    for (std::size_t i = 0; i < population_; ++i) {
+      if (!(keys[i] + same < best.cost)) continue;
+      seen_[i] = has_view_ ? view_.seen(aim.sample + Vec2{x_[i], y_[i]}) : PlaneView::Seen::not_told;
+      if (seen_[i] == PlaneView::Seen::no) keys[i] += options_.view_weight;
     }
-    const Candidate candidate = candidates_[next];
-    candidates_[next] = candidates_.back();
-    candidates_.pop_back();
-    if (candidate.least > best.cost) break;
-    const bool is_before = best_agent < population && candidate.agent < best_agent;  // of this population, where equal costs go to the first
+    rank_again();
+  }
+  std::uint32_t best_agent = std::numeric_limits<std::uint32_t>::max();
+  while (keys[next] + same < best.cost) {
+    keys[next] = std::numeric_limits<double>::infinity();
+    Candidate candidate;
+    candidate.agent = static_cast<std::uint32_t>(next);
+    told(aim, candidate);
+    const bool is_before = candidate.agent < best_agent && best_agent < population_;  // of this population, where equal costs go to the first
     const double enough = is_before ? std::nextafter(best.cost, std::numeric_limits<double>::infinity()) : best.cost;
-    const double cost = whole_cost(aim, candidate, enough);
-    if (!(cost < enough)) continue;
-    best = {agent(candidate.agent), cost};
-    best_agent = candidate.agent;
-  }
-}
-
-/// Of all iterations: what is drawn does not depend on what is found.
-void WhaleSteering::draw_moves(Random& random) {
-  std::size_t spirals = 0;
-  std::uint32_t m = 0;
-  for (int t = 0; t < options_.iterations; ++t) {
-    const double reach = whale_reach(options_.whale.start, static_cast<std::size_t>(t), static_cast<std::size_t>(options_.iterations));
-    for (int i = 0; i < options_.population; ++i, ++m) {
-      const WhaleDraws draws = WhaleDraws::from(random);
-      const bool is_spiral = is_whale_spiral(options_.whale, draws);
-      const WhaleStep step = whale_step_but_spiral(options_.whale, reach, draws);
-      factors_[m] = -step.factor;
-      scales_[m] = is_spiral ? 1.0 : step.scale;
-      others_[m] = none;
-      spirals_[spirals] = draws.l;  // each is written, and stays where it is one: no branch to guess
-      spiral_moves_[spirals] = m;
-      spirals += is_spiral ? 1 : 0;
-      if (!is_spiral && step.move == WhaleMove::search) others_[m] = static_cast<std::uint32_t>(random.integer(0, options_.population - 1));
+    if (candidate.least < enough) {
+      const double cost = whole_cost(aim, candidate, enough);
+      if (cost < enough) {
+        best = {candidate.at, {x_[candidate.agent], y_[candidate.agent]}, cost};
+        best_agent = candidate.agent;
+      }
     }
+    bool is_any = false;
+    for (std::size_t i = 0; i < population_; ++i) is_any |= keys[i] + same < best.cost;
+    if (!is_any) break;
+    rank_again();
   }
-  whale_spirals(options_.whale, {spirals_.data(), spirals});
-  for (std::size_t k = 0; k < spirals; ++k) factors_[spiral_moves_[k]] = spirals_[k];
-}
-
-namespace {
-
-/// Moves coordinate by coordinate as make_whale_step has it, then into the disc about the sample. All plain numbers, so that the compiler makes vectors of many.
-struct Mover {
-  Vec2 low, high, middle, sample;
-  double radius;
-
-  static double moved(double factor, double scale, double target, double low, double high, double middle, double x) {
-    const double from_target = std::abs(scale * (target - middle) - (x - middle));
-    const double wanted = target + factor * from_target;
-    const double above = wanted < low ? low : wanted;
-    return above > high ? high : above;
-  }
-  void operator()(double factor, double scale, double target_x, double target_y, double x, double y, double& to_x, double& to_y) const {
-    const double at_x = moved(factor, scale, target_x, low.x, high.x, middle.x, x), at_y = moved(factor, scale, target_y, low.y, high.y, middle.y, y);
-    const double off_x = at_x - sample.x, off_y = at_y - sample.y, squared = off_x * off_x + off_y * off_y, most = radius * radius;
-    // The root is taken whether it is needed or not, which cannot be guessed: of the square of the radius where it is not.
-    const double share = radius / std::sqrt(squared > most ? squared : most);
-    to_x = squared > most ? sample.x + share * off_x : at_x;
-    to_y = squared > most ? sample.y + share * off_y : at_y;
-  }
-};
-
-}  // namespace
-
-/// One iteration, agent after agent: whoever searches goes to where the other one is by then.
-void WhaleSteering::move(std::size_t iteration, Vec2 leader, Vec2 sample) {
-  const std::size_t population = x_.size(), first = iteration * population;
-  const Vec2 reach{options_.radius, options_.radius};
-  const Vec2 low = sample - reach, high = sample + reach;
-  const Mover mover{low, high, {0.5 * (low.x + high.x), 0.5 * (low.y + high.y)}, sample, options_.radius};
-  const double* const factors = factors_.data() + first;
-  const double* const scales = scales_.data() + first;
-  const double* const x = x_.data();
-  const double* const y = y_.data();
-  double* const new_x = new_x_.data();
-  double* const new_y = new_y_.data();
-#pragma GCC ivdep
-  for (std::size_t i = 0; i < population; ++i) mover(factors[i], scales[i], leader.x, leader.y, x[i], y[i], new_x[i], new_y[i]);
-  for (std::size_t i = 0; i < population; ++i) {
-    const std::uint32_t other = others_[first + i];
-    if (other == none) continue;
-    const bool has_moved = other < i;
-    mover(factors[i], scales[i], has_moved ? new_x[other] : x[other], has_moved ? new_y[other] : y[other], x[i], y[i], new_x[i], new_y[i]);
-  }
-  x_.swap(new_x_);
-  y_.swap(new_y_);
 }
 
 Vec2 WhaleSteering::aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
   prepare_view(goal);
-  const Aim aim{near, sample, goal, space_.room(near)};
-  Best best{sample, std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i < x_.size(); ++i) {
-    Vec2 q{};
-    do q = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
-    while (squared_norm(q) > 1.0);
-    x_[i] = sample.x + options_.radius * q.x;
-    y_[i] = sample.y + options_.radius * q.y;
-  }
-  draw_moves(random);
+  sample_ = sample;
+  hits_.fill(std::numeric_limits<double>::infinity());
+  Aim aim{near, sample, goal, space_.room(near), has_view_ && view_.hides(sample, options_.radius), sample - goal};
+  aim.away = norm(aim.from_goal);
+  aim.from_goal = (aim.away > 0.0 ? 1.0 / aim.away : 0.0) * aim.from_goal;
+  ranking_.along_x = per_diagonal_ * aim.from_goal.x;
+  ranking_.along_y = per_diagonal_ * aim.from_goal.y;
+  drawing_.counter = random.take(whale_lanes::drawn(drawing_.agents, drawing_.moves));
+  drawing_.x = x_.data();
+  drawing_.y = y_.data();
+  lanes_.draw(drawing_);
+  Best best{sample, {}, std::numeric_limits<double>::infinity()};
   look(aim, best);
-  for (std::size_t t = 0; t < static_cast<std::size_t>(options_.iterations); ++t) {
-    move(t, best.at, sample);
+  whale_lanes::Moving moving;
+  moving.agents = population_;
+  moving.radius = options_.radius;
+  const whale_lanes::Search* search = searches_.data();
+  const whale_lanes::Search* const searches_end = search + drawing_.searches_count;
+  for (; moving.first < drawing_.moves; moving.first += population_) {
+    moving.leader_x = best.off.x;
+    moving.leader_y = best.off.y;
+    moving.factor = factors_.data() + moving.first;
+    moving.scale = scales_.data() + moving.first;
+    moving.searches = search;
+    while (search != searches_end && search->move < moving.first + population_) ++search;
+    moving.searches_count = static_cast<std::size_t>(search - moving.searches);
+    moving.x = x_.data();
+    moving.y = y_.data();
+    moving.new_x = new_x_.data();
+    moving.new_y = new_y_.data();
+    lanes_.move(moving);
+    x_.swap(new_x_);
+    y_.swap(new_y_);
     look(aim, best);
   }
   return best.at;
@@ -200,7 +203,7 @@ void WhaleSteering::grown(std::int64_t samples) {
   }
   Drawn& drawn = drawn_.emplace_back();
   drawn.samples = static_cast<std::uint32_t>(samples);
-  for (std::size_t i = 0; i < x_.size(); ++i) drawn.agents.push_back(agent(i));
+  for (std::size_t i = 0; i < population_; ++i) drawn.agents.push_back(sample_ + Vec2{x_[i], y_[i]});
 }
 
 void WhaleSteering::draw(SearchPicture& picture) const {

@@ -1,12 +1,13 @@
 // Steering of the RRT*-WOA publication's local variant: the whale optimisation algorithm looks around a sample for where the tree sees the goal.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "waywright/optimizer/whale_step.hpp"
 #include "waywright/planner/plane/view.hpp"
+#include "waywright/planner/tree/lanes/kernels.hpp"
 #include "waywright/planner/tree/plane_tree.hpp"
 
 namespace waywright {
@@ -40,44 +41,53 @@ class WhaleSteering final : public TreeSteering {
  private:
   struct Best {
     Vec2 at{};
+    Vec2 off{};  // from the sample
     double cost = 0.0;
   };
   struct Candidate {
     double least = 0.0;  // of its cost
-    std::size_t agent = 0;
+    double base = 0.0;   // its distances' share
+    double room = 0.0, from_near = 0.0;  // m: PlaneSpace::room, distance
+    Vec2 at{};
+    std::uint32_t agent = 0;
     PlaneView::Seen goal = PlaneView::Seen::not_told;
   };
   struct Aim {
     Vec2 near, sample, goal;
-    double room;  // m, of near
+    double room;       // m, of near
+    bool is_hidden;    // the goal is, from the whole disc
+    Vec2 from_goal{};  // unit vector to the sample, or nothing
+    double away = 0.0; // m, of the sample from the goal
   };
   void prepare_view(Vec2 goal);
-  void draw_moves(Random& random);
+  void told(const Aim& aim, Candidate& candidate) const;
   void look(const Aim& aim, Best& best);
+  bool is_seen_from_tree(const Aim& aim, const Candidate& candidate);
   double whole_cost(const Aim& aim, const Candidate& candidate, double enough);
-  void move(std::size_t iteration, Vec2 leader, Vec2 sample);
-  Vec2 agent(std::size_t i) const { return {x_[i], y_[i]}; }
-
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   const PlaneSpace& space_;
   WhaleSteeringOptions options_;
+  std::size_t population_;
   double per_radius_, per_diagonal_;
-  PlaneView view_;  // of the goal, where it stays the same from one extension to the next
+  double rounding_;  // more than rounding can take from a cost
+  PlaneView view_;   // of the goal, where it stays the same from one extension to the next
   Vec2 last_goal_{};
   bool has_goal_ = false, has_view_ = false;
-  std::vector<double> x_, y_, bases_;  // of the agents: places, costs of distances
-  std::vector<Candidate> candidates_;
-  std::vector<double> new_x_, new_y_;  // while they move
-  // Moves of all iterations, ahead, as they do not depend on what is found: A negated, or the spiral's factor; C; the agent that a search goes to.
-  std::vector<double> factors_, scales_;
-  std::vector<std::uint32_t> others_;
-  std::vector<double> spirals_;  // of the spirals among them: l, then the factor; which moves they are
-  std::vector<std::uint32_t> spiral_moves_;
+  const whale_lanes::Kernels& lanes_ = whale_lanes::best();
+  std::vector<double> x_, y_, new_x_, new_y_;  // of the agents, from the sample; before and after a move
+  std::vector<double> keys_;
+  std::vector<PlaneView::Seen> seen_;
+  // Moves of all iterations, ahead, as they do not depend on what is found.
+  std::vector<double> reaches_, factors_, scales_;
+  std::vector<whale_lanes::Search> searches_;
+  std::array<double, 2> hits_{};  // m from `near`: where the last lines that were not free were surely blocked
+  whale_lanes::Drawing drawing_;
+  whale_lanes::Ranking ranking_;
   struct Drawn {
     std::vector<Vec2> agents;
     std::uint32_t samples;
   };
+  Vec2 sample_{};  // of the last aim
   std::vector<Drawn> drawn_;  // of every `each_drawn_`-th extension
   std::int64_t extensions_ = 0, each_drawn_ = 1;
   std::int64_t evaluations_ = 0, lines_ = 0;

@@ -1,0 +1,8 @@
+#include "waywright/planner/tree/lanes/kernels.inl"
+
+namespace waywright::whale_lanes {
+
+extern const Kernels avx2_kernels;
+const Kernels avx2_kernels{"avx2", draw, move, rank};
+
+}  // namespace waywright::whale_lanes

@@ -1,0 +1,8 @@
+#include "waywright/planner/tree/lanes/kernels.inl"
+
+namespace waywright::whale_lanes {
+
+extern const Kernels avx512_kernels;
+const Kernels avx512_kernels{"avx512", draw, move, rank};
+
+}  // namespace waywright::whale_lanes

@@ -1,0 +1,8 @@
+#include "waywright/planner/tree/lanes/kernels.inl"
+
+namespace waywright::whale_lanes {
+
+extern const Kernels baseline_kernels;
+const Kernels baseline_kernels{"baseline", draw, move, rank};
+
+}  // namespace waywright::whale_lanes
