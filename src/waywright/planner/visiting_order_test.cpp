@@ -145,11 +145,11 @@ TEST(VisitingOrder, SearchIsHeldAgainstTheShortestAtTenToTwelvePlaces) {
   RecordProperty("mean_bound_gap_percent", std::to_string(100.0 * bound_gap / count));
   std::printf("search over the shortest: mean %.4f %%, worst %.4f %%; bound below it: mean %.3f %%\n", 100.0 * gap / count, 100.0 * worst, 100.0 * bound_gap / count);
   EXPECT_LT(gap / count, 0.002);
-  EXPECT_LT(bound_gap / count, 0.06);
+  EXPECT_LT(bound_gap / count, 0.04);
 }
 
 TEST(VisitingOrder, ManyPlacesAreOrderedWithinTheBound) {
-  for (const std::size_t n : {20U, 60U, 120U}) {
+  for (const std::size_t n : {20U, 50U, 100U}) {
     for (const std::size_t jobs : {std::size_t{0}, n / 3}) {
       const VisitProblem problem = random_problem(n, n, {.jobs = jobs, .between = jobs / 4, .keeps_last = true});
       const auto order = good_visit_order(problem);
@@ -160,7 +160,7 @@ TEST(VisitingOrder, ManyPlacesAreOrderedWithinTheBound) {
       const std::int64_t bound = visit_length_bound(problem, *length);
       std::printf("%zu places, %zu jobs: %.1f m, bound %.1f m, gap %.2f %%\n", n, jobs, static_cast<double>(*length) / 1e6, static_cast<double>(bound) / 1e6, 100.0 * (static_cast<double>(*length) / static_cast<double>(bound) - 1.0));
       EXPECT_LE(bound, *length);
-      EXPECT_GT(static_cast<double>(bound), 0.8 * static_cast<double>(*length));
+      EXPECT_GT(static_cast<double>(bound), 0.95 * static_cast<double>(*length));
       EXPECT_EQ(order, good_visit_order(problem));
     }
   }
