@@ -44,6 +44,7 @@ ExactControls exact_controls(const Plan& plan, double period) {
     if (!controls.rows.empty()) ++controls.stands;
     // A multiple of the period but for rounding is that.
     const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(stretch.duration / period - 1e-9)));
+    controls.stretches.push_back({controls.rows.size(), stretch.first});
     Moment from = motion.at(stretch, 0.0);
     for (std::size_t k = 0; k < count; ++k) {
       const Moment to = motion.at(stretch, k + 1 == count ? stretch.duration : static_cast<double>(k + 1) * period);
