@@ -156,15 +156,20 @@ Failure failure_of(const Scenario& mission, const OrderedLegs& ordered, const Wa
   }
   // Where a place is missing for want of another it is the other that tells why: the first that a way was planned to from where the vehicle can be.
   const Failure* why = nullptr;
+  std::size_t first = 0, count = 0;
   each_way([&](const Asked& asked, const Way& way) {
-    if (why == nullptr && is_reached[asked.from] && !is_reached[asked.to]) why = &way.failure;
+    if (why != nullptr || !is_reached[asked.from] || is_reached[asked.to]) return;
+    why = &way.failure;
+    first = asked.to;
   });
   if (why != nullptr) {
     std::string unreached;
     for (std::size_t to = 0; to < n; ++to) {
-      if (!is_reached[to]) unreached += (unreached.empty() ? "" : ", ") + group_label(mission, ordered.groups[to]);
+      if (is_reached[to]) continue;
+      unreached += (count++ == 0 ? "" : ", ") + group_label(mission, ordered.groups[to]);
     }
-    return {why->status, fmt::format("no order reaches every place: no way leads to {}: {}", unreached, why->reason)};
+    const std::string of_first = count > 1 ? "; to " + group_label(mission, ordered.groups[first]) : "";
+    return {why->status, fmt::format("no order reaches every place: no way leads to {}{}: {}", unreached, of_first, why->reason)};
   }
   for (std::size_t i = 0; i < ways.asked().size(); ++i) {
     const Asked& asked = ways.asked()[i];
