@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <numeric>
 #include <set>
 
@@ -43,9 +44,15 @@ class Ways {
 
   void plan(unsigned threads) {
     std::atomic<std::size_t> next{0};
+    std::atomic<bool> is_out_of_memory{false};
     on_threads(threads, asked_.size(), [&] {
-      for (std::size_t i = next++; i < asked_.size() && !is_canceled(); i = next++) ways_[i] = way_of(asked_[i]);
+      try {
+        for (std::size_t i = next++; i < asked_.size() && !is_canceled() && !is_out_of_memory; i = next++) ways_[i] = way_of(asked_[i]);
+      } catch (const std::bad_alloc&) {  // a thread has nobody above it to catch anything
+        is_out_of_memory = true;
+      }
     });
+    if (is_out_of_memory) throw std::bad_alloc{};
   }
   bool is_canceled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
   const std::vector<Asked>& asked() const { return asked_; }
