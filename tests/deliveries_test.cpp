@@ -153,6 +153,11 @@ TEST(Deliveries, PlacesThatNothingReachesAreNamed) {
   EXPECT_EQ(plan.status, Status::no_path);
   EXPECT_EQ(plan.reason.rfind("no order reaches every place: no way leads to leg 1, leg 3 (the shut room), leg 5; to leg 1: ", 0), 0U) << plan.reason;  // though they reach each other
   EXPECT_FALSE(plan.order);
+  Scenario nowhere = s;
+  nowhere.start = {5.0, 6.0, 0.0};
+  const Plan stuck = solve_legs(nowhere).value();
+  EXPECT_EQ(stuck.status, Status::start_in_collision);
+  EXPECT_EQ(stuck.reason.rfind("no place can be reached from the start: ", 0), 0U) << stuck.reason;
   Scenario inside = hall("astar", {{"resolution", 0.25}}, places_in_hall);
   inside.legs[2].name = "the pillar";
   inside.legs[2].mission = Pose{5.0, 6.0, 0.0};

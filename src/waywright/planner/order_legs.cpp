@@ -175,6 +175,7 @@ Failure failure_of(const Scenario& mission, const OrderedLegs& ordered, const Wa
       if (is_reached[to]) continue;
       unreached += (count++ == 0 ? "" : ", ") + group_label(mission, ordered.groups[to]);
     }
+    if (count == n) return {why->status, fmt::format("no place can be reached from the start: {}", why->reason)};
     const std::string of_first = count > 1 ? "; to " + group_label(mission, ordered.groups[first]) : "";
     return {why->status, fmt::format("no order reaches every place: no way leads to {}{}: {}", unreached, of_first, why->reason)};
   }
@@ -226,13 +227,13 @@ void explain(const Scenario& mission, const OrderedLegs& ordered, const VisitPro
   chosen.sentences.push_back(first + ".");
   const std::size_t n = visits.places.size();
   const bool has_rules = std::any_of(visits.places.begin(), visits.places.end(), [](const VisitPlace& p) { return p.needs != 0 || p.gives != 0 || !p.after.empty(); });
-  const std::string which = fmt::format("{}{}", has_rules ? "that takes each load before it is left, one at a time" : "", mission.order == LegOrder::best_to_last ? (has_rules ? ", and ends with the last leg" : "that ends with the last leg") : "");
+  const std::string which = fmt::format("{}{}", has_rules ? "that takes each load before it is left, one at a time," : "", mission.order == LegOrder::best_to_last ? (has_rules ? " and ends with the last leg" : "that ends with the last leg") : "");
   const std::string space = which.empty() ? "" : " " + which;
-  chosen.sentences.push_back(n <= most_exact_places ? fmt::format("No order{} is shorter: all of them were weighed by dynamic programming over the sets of {} places.", space, n)
+  chosen.sentences.push_back(n <= most_exact_places ? fmt::format("No order{} is shorter: all of them were weighed by dynamic programming over the sets of {} place{}.", space, n, n == 1 ? "" : "s")
                              : o.is_exact            ? fmt::format("No order{} is shorter: found by exchanging and turning blocks of {} places, and as long as the lower bound.", space, n)
                                                      : fmt::format("No order{} is shorter than {:.3f} m, so this one is at most {:.2f} % longer than the shortest: found by exchanging and turning blocks of {} places, bounded by spanning arborescences.",
                                                                    space, o.lower_bound, 100.0 * o.gap(), n));
-  chosen.sentences.push_back(fmt::format("{} ways between places were planned for that by {}, each once{}.", o.ways, planners_words(mission),
+  chosen.sentences.push_back(fmt::format("{} between places {} planned for that by {}, each once{}.", o.ways == 1 ? std::string{"1 way"} : fmt::format("{} ways", o.ways), o.ways == 1 ? "was" : "were", planners_words(mission),
                                          o.ways_missing > 0 ? fmt::format("; on {} of them no proven path was found", o.ways_missing) : ""));
 }
 
