@@ -151,7 +151,8 @@ TEST(Deliveries, PlacesThatNothingReachesAreNamed) {
   s.map.obstacles.push_back(rectangle({9.5, 7.5}, {10.5, 12.0}));  // the door is shut
   const Plan plan = solve_legs(s).value();
   EXPECT_EQ(plan.status, Status::no_path);
-  EXPECT_EQ(plan.reason.rfind("no order reaches every place: no way leads to leg 1, leg 3 (the shut room), leg 5; to leg 1: ", 0), 0U) << plan.reason;  // though they reach each other
+  EXPECT_EQ(plan.reason.rfind("no order reaches every place: no way leads to leg 1, leg 3 (the shut room), leg 5; to leg 1: ", 0), 0U)
+      << plan.reason;  // though they reach each other
   EXPECT_FALSE(plan.order);
   Scenario nowhere = s;
   nowhere.start = {5.0, 6.0, 0.0};
@@ -255,7 +256,9 @@ class DeliveriesOnTheCommandLine : public test::CommandLine {
 TEST_F(DeliveriesOnTheCommandLine, OnePlanOneReportAndTheOrderInWords) {
   const auto o = run("plan " + example("deliveries_warehouse.json") + " -o out");
   EXPECT_EQ(o.status, 0) << o.out << o.err;
-  for (const char* word : {"The legs are driven in the order ", "No order that takes each load before it is left, one at a time, and ends with the last leg is shorter", "ways between places were planned", "Leg 1 of 8", "Leg 8 of 8 (charger)"}) {
+  for (const char* word :
+       {"The legs are driven in the order ", "No order that takes each load before it is left, one at a time, and ends with the last leg is shorter",
+        "ways between places were planned", "Leg 1 of 8", "Leg 8 of 8 (charger)"}) {
     EXPECT_NE(o.out.find(word), std::string::npos) << word << "\n" << o.out;
   }
   EXPECT_EQ(run("verify out/plan.json").status, 0);
@@ -273,10 +276,20 @@ TEST_F(DeliveriesOnTheCommandLine, WhatIsWrongIsOneSentence) {
   const std::pair<std::function<void(test::Json&)>, const char*> wrong[] = {
       {[](auto& s) { s["order"] = "fastest"; }, "s.json: order: \"fastest\""},
       {[](auto& s) { s["order"] = 3; }, "s.json: order: "},
-      {[](auto& s) { s.erase("legs"), s["goal"] = {3, 9, 0}; }, "s.json: order: there are no legs to be ordered"},
-      {[](auto& s) { s["legs"][0]["goal"] = {12, 11}; }, "s.json: legs[0].goal: it leaves the heading free, and the ways from there depend on it"},
-      {[](auto& s) { s["legs"][0]["goal"] = {{"region", {{12, 11}, {13, 11}, {13, 12}}}}; }, "s.json: legs[0].goal: it leaves the place free"},
-      {[](auto& s) { s["legs"][3]["load"] = nullptr, s["legs"][4]["load"] = "crate", s["legs"][5]["load"] = "crate"; }, "s.json: legs[5].load: \"crate\" is taken while \"crate\" is carried"},
+      {[](auto& s) {
+         s.erase("legs"), s["goal"] = {3, 9, 0};
+       },
+       "s.json: order: there are no legs to be ordered"},
+      {[](auto& s) {
+         s["legs"][0]["goal"] = {12, 11};
+       },
+       "s.json: legs[0].goal: it leaves the heading free, and the ways from there depend on it"},
+      {[](auto& s) {
+         s["legs"][0]["goal"] = {{"region", {{12, 11}, {13, 11}, {13, 12}}}};
+       },
+       "s.json: legs[0].goal: it leaves the place free"},
+      {[](auto& s) { s["legs"][3]["load"] = nullptr, s["legs"][4]["load"] = "crate", s["legs"][5]["load"] = "crate"; },
+       "s.json: legs[5].load: \"crate\" is taken while \"crate\" is carried"},
       {[](auto& s) {
          test::Json leg = s["legs"][0];
          while (s["legs"].size() < 201) s["legs"].push_back(leg);

@@ -100,7 +100,12 @@ PlannerDescription exact_description() {
   PlannerDescription d;
   d.name = "exact";
   d.parameters = {
-      {.name = "inertia", .default_value = 0.0, .summary = "of yaw about the origin, without a load; 0: the mass spread evenly over the footprint", .unit = "kg m2", .low = 0, .high = 1e9},
+      {.name = "inertia",
+       .default_value = 0.0,
+       .summary = "of yaw about the origin, without a load; 0: the mass spread evenly over the footprint",
+       .unit = "kg m2",
+       .low = 0,
+       .high = 1e9},
       {.name = "wheel_inertia", .default_value = 0.0, .summary = "of one wheel's spin with its motor's", .unit = "kg m2", .low = 0, .high = 1e6},
       {.name = "rolling_arm", .default_value = 0.0, .summary = "rolling resistance of a wheel over its load", .unit = "m", .low = 0, .high = 10},
       {.name = "max_torque", .default_value = 0.0, .summary = "of a motor at its wheel; 0: no limit", .unit = "N m", .low = 0, .high = 1e9},
@@ -112,14 +117,23 @@ PlannerDescription exact_description() {
 /// Refused where the vehicle is none that has such motors, or the values fit none.
 Parsed<WheelMotors> motors_of(const Plan& plan, const Parameters& p, const ControlsArguments& arguments) {
   const Vehicle& vehicle = plan.scenario.vehicle;
-  const WheelMotors m{number_of(p, "inertia"), number_of(p, "wheel_inertia"), number_of(p, "rolling_arm"), number_of(p, "max_torque"), number_of(p, "max_wheel_speed")};
+  const WheelMotors m{number_of(p, "inertia"), number_of(p, "wheel_inertia"), number_of(p, "rolling_arm"), number_of(p, "max_torque"),
+                      number_of(p, "max_wheel_speed")};
   if (arguments.set.empty()) return m;
-  const auto refuse = [](const char* field, std::string problem, std::string allowed) { return tl::unexpected{InputError{"", field, std::move(problem), std::move(allowed)}}; };
-  if (!std::holds_alternative<Mecanum>(vehicle.drive)) return refuse("--set", "the exact method's parameters are those of a mecanum base's motors", "a plan of a mecanum base, or --method woa");
-  if (!has_motors(vehicle)) return tl::unexpected{InputError{arguments.plan.string(), "scenario.vehicle.mass", "torques follow from it, and there is none", "a vehicle with a mass"}};
+  const auto refuse = [](const char* field, std::string problem, std::string allowed) {
+    return tl::unexpected{InputError{"", field, std::move(problem), std::move(allowed)}};
+  };
+  if (!std::holds_alternative<Mecanum>(vehicle.drive))
+    return refuse("--set", "the exact method's parameters are those of a mecanum base's motors", "a plan of a mecanum base, or --method woa");
+  if (!has_motors(vehicle))
+    return tl::unexpected{InputError{arguments.plan.string(), "scenario.vehicle.mass", "torques follow from it, and there is none", "a vehicle with a mass"}};
   const double farthest = vehicle.mass * vehicle.footprint.radius() * vehicle.footprint.radius();
-  if (m.inertia > farthest) return refuse("--set inertia", fmt::format("{:g} is more than the whole mass has at the farthest corner of the footprint", m.inertia), fmt::format("at most {:g} kg m2", farthest));
-  if (m.rolling_arm > std::get<Mecanum>(vehicle.drive).wheel_radius) return refuse("--set rolling_arm", fmt::format("{:g} is more than the wheel's radius", m.rolling_arm), fmt::format("at most {:g} m", std::get<Mecanum>(vehicle.drive).wheel_radius));
+  if (m.inertia > farthest)
+    return refuse("--set inertia", fmt::format("{:g} is more than the whole mass has at the farthest corner of the footprint", m.inertia),
+                  fmt::format("at most {:g} kg m2", farthest));
+  if (m.rolling_arm > std::get<Mecanum>(vehicle.drive).wheel_radius)
+    return refuse("--set rolling_arm", fmt::format("{:g} is more than the wheel's radius", m.rolling_arm),
+                  fmt::format("at most {:g} m", std::get<Mecanum>(vehicle.drive).wheel_radius));
   return m;
 }
 
@@ -127,9 +141,12 @@ Parsed<WheelMotors> motors_of(const Plan& plan, const Parameters& p, const Contr
 Parsed<double> slowing_of(const Plan& plan, double period, const WheelMotors& motors) {
   if (!has_motors(plan.scenario.vehicle)) return 1.0;
   const auto slowing = slowing_within(plan, period, motors);
-  const auto refuse = [](const std::string& problem) { return tl::unexpected{InputError{"", "--set", problem, "stronger motors, or a plan with lower limits of speed and acceleration"}}; };
+  const auto refuse = [](const std::string& problem) {
+    return tl::unexpected{InputError{"", "--set", problem, "stronger motors, or a plan with lower limits of speed and acceleration"}};
+  };
   if (!slowing) return refuse("the motors are too weak for the plan, though it be driven a hundred times slower or with a million commands");
-  if (*slowing > 1.0 && !plan.scenario.moving.empty()) return refuse(fmt::format("the plan would have to be driven {:.3f} times slower for these motors, and its times among what moves are proven", *slowing));
+  if (*slowing > 1.0 && !plan.scenario.moving.empty())
+    return refuse(fmt::format("the plan would have to be driven {:.3f} times slower for these motors, and its times among what moves are proven", *slowing));
   if (*slowing > 1.0 && plan.samples.front().speed > 0.0) return refuse("the plan begins in motion, and the motors are too weak to follow it");
   return *slowing;
 }
@@ -144,14 +161,17 @@ Made exact(const Plan& plan, double period, const WheelMotors& motors, double sl
   made.is_good = c.end.position < largest_miss;
   made.text = line("method", fmt::format("exact, a command every {:g} s", period)) + line("commands", fmt::format("{}", c.rows.size() - 1)) +
               line("time", fmt::format("{:.2f} s (the plan's {:.2f} s; {} stands on the way)", c.rows.back().t, plan.samples.back().t, c.stands)) +
-              line("end error", error_words(c.end) + "; by midpoint odometry " + error_words(c.midpoint_end)) + line("greatest deviation", fmt::format("{:.4f} m", c.deviation));
+              line("end error", error_words(c.end) + "; by midpoint odometry " + error_words(c.midpoint_end)) +
+              line("greatest deviation", fmt::format("{:.4f} m", c.deviation));
   if (!made.torques) return made;
   const WheelTorques& t = *made.torques;
-  made.text += line("wheels", fmt::format("at most {:.3f} N m (at {:.2f} s) and {:.3f} rad/s (at {:.2f} s)", t.greatest_torque, t.greatest_torque_at, t.greatest_speed, t.greatest_speed_at)) +
+  made.text += line("wheels", fmt::format("at most {:.3f} N m (at {:.2f} s) and {:.3f} rad/s (at {:.2f} s)", t.greatest_torque, t.greatest_torque_at,
+                                          t.greatest_speed, t.greatest_speed_at)) +
                line("work of the motors", fmt::format("driving {:.3f} J, braking {:.3f} J; rolling takes {:.3f} J", t.driving, t.braking, t.rolling_losses));
   if (slowing > 1.0) {
     const WheelTorques needed = wheel_torques(plan, exact_controls(plan, period), motors);
-    made.text += line("slowed", fmt::format("{:.3f} times: at the plan's speed a wheel would take {:.3f} N m and turn at {:.3f} rad/s", slowing, needed.greatest_torque, needed.greatest_speed));
+    made.text += line("slowed", fmt::format("{:.3f} times: at the plan's speed a wheel would take {:.3f} N m and turn at {:.3f} rad/s", slowing,
+                                            needed.greatest_torque, needed.greatest_speed));
   }
   return made;
 }

@@ -67,12 +67,14 @@ WheelTorques wheel_torques(const Plan& plan, const ExactControls& controls, cons
       const Twist rate{(to.forward - from.forward) / controls.period, (to.left - from.left) / controls.period, (to.turn - from.turn) / controls.period};
       const MecanumTorques torques = all.rows[i] = dynamics.torques(middle, rate);
       const MecanumWheels turning = wheels_of(drive, middle);
-      for (const double power : {torques.front_left * turning.front_left, torques.front_right * turning.front_right, torques.rear_left * turning.rear_left, torques.rear_right * turning.rear_right}) {
+      for (const double power : {torques.front_left * turning.front_left, torques.front_right * turning.front_right, torques.rear_left * turning.rear_left,
+                                 torques.rear_right * turning.rear_right}) {
         (power > 0.0 ? all.driving : all.braking) += controls.period * std::abs(power);
       }
       all.rolling_losses += controls.period * dynamics.power_lost(middle);
       if (const double most = greatest(torques); most > all.greatest_torque) all.greatest_torque = most, all.greatest_torque_at = controls.rows[i].t;
-      if (const double most = greatest(wheels_of(drive, controls.rows[i].twist)); most > all.greatest_speed) all.greatest_speed = most, all.greatest_speed_at = controls.rows[i].t;
+      if (const double most = greatest(wheels_of(drive, controls.rows[i].twist)); most > all.greatest_speed)
+        all.greatest_speed = most, all.greatest_speed_at = controls.rows[i].t;
       from = to;
     }
     all.kinetic_change += dynamics.kinetic_energy(from) - before;

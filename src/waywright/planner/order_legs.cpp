@@ -30,7 +30,8 @@ struct Asked {
 
 class Ways {
  public:
-  Ways(const Scenario& mission, const OrderedLegs& ordered, const std::atomic<bool>* cancel) : ordered_{ordered}, cancel_{cancel}, from_start_{mission}, resting_{mission}, of_map_{mission.map} {
+  Ways(const Scenario& mission, const OrderedLegs& ordered, const std::atomic<bool>* cancel)
+      : ordered_{ordered}, cancel_{cancel}, from_start_{mission}, resting_{mission}, of_map_{mission.map} {
     resting_.start_motion = {};  // of the first leg alone
     const VisitProblem& visits = ordered.visits;
     for (std::size_t to = 0; to < visits.places.size(); ++to) {
@@ -114,8 +115,10 @@ class Ways {
     const Plan& plan = solved->plan;
     way.effort = plan.effort;
     way.reproducible = plan.reproducible;
-    if (plan.status == Status::solved && plan.metrics.length < static_cast<double>(no_way) / per_metre) way.length = std::llround(plan.metrics.length * per_metre);
-    else way.failure = {plan.status, plan.reason};
+    if (plan.status == Status::solved && plan.metrics.length < static_cast<double>(no_way) / per_metre)
+      way.length = std::llround(plan.metrics.length * per_metre);
+    else
+      way.failure = {plan.status, plan.reason};
     return way;
   }
 
@@ -187,12 +190,15 @@ Failure failure_of(const Scenario& mission, const OrderedLegs& ordered, const Wa
   std::vector<bool> leads_on(n + 1, false);
   std::vector<const Failure*> why_not(n + 1, nullptr);
   each_way([&](const Asked& asked, const Way& way) {
-    if (way.length < no_way) leads_on[asked.from] = true;
-    else if (why_not[asked.from] == nullptr) why_not[asked.from] = &way.failure;
+    if (way.length < no_way)
+      leads_on[asked.from] = true;
+    else if (why_not[asked.from] == nullptr)
+      why_not[asked.from] = &way.failure;
   });
   for (std::size_t from = 0; from < n; ++from) {
     // A job has to go on; of other places one may be the last.
-    if (!leads_on[from] && why_not[from] != nullptr && ordered.visits.places[from].gives != 0) return {why_not[from]->status, fmt::format("no way leads on from {}: {}", from_label(mission, ordered, from), why_not[from]->reason)};
+    if (!leads_on[from] && why_not[from] != nullptr && ordered.visits.places[from].gives != 0)
+      return {why_not[from]->status, fmt::format("no way leads on from {}: {}", from_label(mission, ordered, from), why_not[from]->reason)};
   }
   return {Status::no_path, "every place can be reached, but the ways that there are make no order of all of them"};
 }
@@ -201,7 +207,9 @@ Failure failure_of(const Scenario& mission, const OrderedLegs& ordered, const Wa
 std::string missing_words(const Scenario& mission, const OrderedLegs& ordered, const VisitProblem& visits) {
   std::size_t at = visits.start();
   for (std::size_t to = 0; to < visits.places.size(); ++to) {
-    if (visits.length(at, to) >= no_way) return fmt::format("the order given cannot be driven: no way was found from {} to {}", from_label(mission, ordered, at), group_label(mission, ordered.groups[to]));
+    if (visits.length(at, to) >= no_way)
+      return fmt::format("the order given cannot be driven: no way was found from {} to {}", from_label(mission, ordered, at),
+                         group_label(mission, ordered.groups[to]));
     at = to;
   }
   return "the order given cannot be driven";
@@ -218,22 +226,31 @@ std::string planners_words(const Scenario& mission) {
 void explain(const Scenario& mission, const OrderedLegs& ordered, const VisitProblem& visits, const std::vector<std::size_t>& order, ChosenOrder& chosen) {
   const VisitingOrder& o = chosen.order;
   const bool is_given = std::is_sorted(order.begin(), order.end());
-  std::string first = is_given ? fmt::format("The legs are driven in the order given, {:.3f} m by the lengths of the ways between the places", o.length)
-                               : fmt::format("The legs are driven in the order {}, as numbered in the order given: {:.3f} m by the lengths of the ways between the places", order_words(mission, ordered, order), o.length);
+  std::string first =
+      is_given ? fmt::format("The legs are driven in the order given, {:.3f} m by the lengths of the ways between the places", o.length)
+               : fmt::format("The legs are driven in the order {}, as numbered in the order given: {:.3f} m by the lengths of the ways between the places",
+                             order_words(mission, ordered, order), o.length);
   if (!is_given) {
-    first += o.given_length ? fmt::format("; the order given is {:.3f} m, {:.1f} % longer", *o.given_length, o.length > 0.0 ? 100.0 * (*o.given_length / o.length - 1.0) : 0.0)
-                            : "; " + missing_words(mission, ordered, visits);
+    first += o.given_length
+                 ? fmt::format("; the order given is {:.3f} m, {:.1f} % longer", *o.given_length, o.length > 0.0 ? 100.0 * (*o.given_length / o.length - 1.0) : 0.0)
+                 : "; " + missing_words(mission, ordered, visits);
   }
   chosen.sentences.push_back(first + ".");
   const std::size_t n = visits.places.size();
-  const bool has_rules = std::any_of(visits.places.begin(), visits.places.end(), [](const VisitPlace& p) { return p.needs != 0 || p.gives != 0 || !p.after.empty(); });
-  const std::string which = fmt::format("{}{}", has_rules ? "that takes each load before it is left, one at a time," : "", mission.order == LegOrder::best_to_last ? (has_rules ? " and ends with the last leg" : "that ends with the last leg") : "");
+  const bool has_rules =
+      std::any_of(visits.places.begin(), visits.places.end(), [](const VisitPlace& p) { return p.needs != 0 || p.gives != 0 || !p.after.empty(); });
+  const std::string which = fmt::format("{}{}", has_rules ? "that takes each load before it is left, one at a time," : "",
+                                        mission.order == LegOrder::best_to_last ? (has_rules ? " and ends with the last leg" : "that ends with the last leg") : "");
   const std::string space = which.empty() ? "" : " " + which;
-  chosen.sentences.push_back(n <= most_exact_places ? fmt::format("No order{} is shorter: all of them were weighed by dynamic programming over the sets of {} place{}.", space, n, n == 1 ? "" : "s")
-                             : o.is_exact            ? fmt::format("No order{} is shorter: found by exchanging and turning blocks of {} places, and as long as the lower bound.", space, n)
-                                                     : fmt::format("No order{} is shorter than {:.3f} m, so this one is at most {:.2f} % longer than the shortest: found by exchanging and turning blocks of {} places, bounded by spanning arborescences.",
-                                                                   space, o.lower_bound, 100.0 * o.gap(), n));
-  chosen.sentences.push_back(fmt::format("{} between places {} planned for that by {}, each once{}.", o.ways == 1 ? std::string{"1 way"} : fmt::format("{} ways", o.ways), o.ways == 1 ? "was" : "were", planners_words(mission),
+  chosen.sentences.push_back(
+      n <= most_exact_places
+          ? fmt::format("No order{} is shorter: all of them were weighed by dynamic programming over the sets of {} place{}.", space, n, n == 1 ? "" : "s")
+      : o.is_exact ? fmt::format("No order{} is shorter: found by exchanging and turning blocks of {} places, and as long as the lower bound.", space, n)
+                   : fmt::format("No order{} is shorter than {:.3f} m, so this one is at most {:.2f} % longer than the shortest: found by exchanging and turning "
+                                 "blocks of {} places, bounded by spanning arborescences.",
+                                 space, o.lower_bound, 100.0 * o.gap(), n));
+  chosen.sentences.push_back(fmt::format("{} between places {} planned for that by {}, each once{}.",
+                                         o.ways == 1 ? std::string{"1 way"} : fmt::format("{} ways", o.ways), o.ways == 1 ? "was" : "were", planners_words(mission),
                                          o.ways_missing > 0 ? fmt::format("; on {} of them no proven path was found", o.ways_missing) : ""));
 }
 

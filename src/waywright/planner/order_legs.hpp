@@ -21,8 +21,8 @@ struct ChosenOrder {
   bool reproducible = true;
 };
 
-/// Plans the way from each place to each that may be next, each once, by the leg's planner with the whole budget, on `threads` threads (0: one a core; the same answer on any number), and chooses the order by their lengths. Loads that were set down
-/// further back than on the leg before are not on these ways. @pre complete_legs holds; the mission's order is not `given`
+/// Plans the way from each place to each that may be next, each once, by the leg's planner with the whole budget, on `threads` threads (0: one a core; the same
+/// answer on any number), and chooses the order by their lengths. Loads that were set down further back than on the leg before are not on these ways. @pre complete_legs holds; the mission's order is not `given`
 Parsed<ChosenOrder> choose_order(const Scenario& mission, const std::atomic<bool>* cancel = nullptr, unsigned threads = 0);
 
 }  // namespace waywright

@@ -15,7 +15,8 @@ InputError at_goal(std::size_t leg, const char* problem, const char* allowed) { 
 
 /// Does a way begin with any heading where the vehicle is round, and stays so?
 bool is_always_round(const Scenario& mission) {
-  return mission.vehicle.footprint.polygon.empty() && mission.carried_load.empty() && std::none_of(mission.legs.begin(), mission.legs.end(), [](const Leg& leg) { return leg.load.has_value(); });
+  return mission.vehicle.footprint.polygon.empty() && mission.carried_load.empty() &&
+         std::none_of(mission.legs.begin(), mission.legs.end(), [](const Leg& leg) { return leg.load.has_value(); });
 }
 
 Parsed<void> check_goals(const Scenario& mission) {
@@ -23,9 +24,12 @@ Parsed<void> check_goals(const Scenario& mission) {
   for (std::size_t i = 0; i < asked; ++i) {
     const auto* free = std::get_if<FreeGoal>(&mission.legs[i].mission);
     if (free == nullptr) continue;
-    if (!free->is_point()) return tl::unexpected{at_goal(i, "it leaves the place free, and the lengths of the ways from there depend on where that is", "a pose [x, y, heading] where the order of the legs is asked for")};
+    if (!free->is_point())
+      return tl::unexpected{at_goal(i, "it leaves the place free, and the lengths of the ways from there depend on where that is",
+                                    "a pose [x, y, heading] where the order of the legs is asked for")};
     if (!is_always_round(mission)) {
-      return tl::unexpected{at_goal(i, "it leaves the heading free, and the ways from there depend on it", "a pose [x, y, heading] where the order of the legs is asked for; [x, y] of round vehicles without loads")};
+      return tl::unexpected{at_goal(i, "it leaves the heading free, and the ways from there depend on it",
+                                    "a pose [x, y, heading] where the order of the legs is asked for; [x, y] of round vehicles without loads")};
     }
   }
   return {};
@@ -37,8 +41,10 @@ void find_groups(const Scenario& mission, OrderedLegs& ordered) {
   while (i < mission.legs.size() && is_way_out(mission.legs[i])) ++i;
   ordered.fixed = i;
   for (; i < mission.legs.size(); ++i) {
-    if (is_way_out(mission.legs[i])) ++ordered.groups.back().count;
-    else ordered.groups.push_back({i, 1});
+    if (is_way_out(mission.legs[i]))
+      ++ordered.groups.back().count;
+    else
+      ordered.groups.push_back({i, 1});
   }
 }
 
@@ -120,7 +126,8 @@ Parsed<OrderedLegs> ordered_legs(const Scenario& mission) {
   OrderedLegs ordered;
   find_groups(mission, ordered);
   if (ordered.groups.size() > most_ordered) {
-    return tl::unexpected{InputError{"", "legs", fmt::format("the order of {} places is asked for", ordered.groups.size()), fmt::format("at most {} with \"order\"", most_ordered)}};
+    return tl::unexpected{
+        InputError{"", "legs", fmt::format("the order of {} places is asked for", ordered.groups.size()), fmt::format("at most {} with \"order\"", most_ordered)}};
   }
   ordered.visits.keeps_last = mission.order == LegOrder::best_to_last;
   Scenario without_map = mission;

@@ -14,15 +14,15 @@ namespace {
 using Order = std::vector<std::size_t>;
 
 struct Wanted {
-  std::size_t jobs = 0;       ///< pairs of places, the first of which takes a load
-  std::size_t between = 0;    ///< places that are visited with the load of a job
-  double missing = 0.0;       ///< share of the ways that are not there
-  double asymmetry = 0.3;     ///< ways are up to so much longer one way than the other
+  std::size_t jobs = 0;     ///< pairs of places, the first of which takes a load
+  std::size_t between = 0;  ///< places that are visited with the load of a job
+  double missing = 0.0;     ///< share of the ways that are not there
+  double asymmetry = 0.3;   ///< ways are up to so much longer one way than the other
   bool keeps_last = false;
-  std::size_t rules = 0;      ///< places that come after another one
+  std::size_t rules = 0;  ///< places that come after another one
 };
 
-/// Places in a square; ways by distance, longer one way than the other. 
+/// Places in a square; ways by distance, longer one way than the other.
 VisitProblem random_problem(std::size_t n, std::uint64_t seed, const Wanted& wanted) {
   Random random{seed};
   VisitProblem problem;
@@ -123,7 +123,12 @@ TEST(VisitingOrder, SearchIsHeldAgainstTheShortestAtTenToTwelvePlaces) {
   int count = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const std::size_t n = 10 + seed % 3;
-    const VisitProblem problem = random_problem(n, seed, {.jobs = seed % 4 == 0 ? 0 : seed % 4 + 1, .between = seed % 3 == 0 && seed % 5 != 0 ? 2U : 0U, .asymmetry = seed % 2 == 0 ? 0.3 : 2.0, .keeps_last = seed % 5 == 0, .rules = seed % 4 == 0 ? 3U : 0U});
+    const VisitProblem problem = random_problem(n, seed,
+                                                {.jobs = seed % 4 == 0 ? 0 : seed % 4 + 1,
+                                                 .between = seed % 3 == 0 && seed % 5 != 0 ? 2U : 0U,
+                                                 .asymmetry = seed % 2 == 0 ? 0.3 : 2.0,
+                                                 .keeps_last = seed % 5 == 0,
+                                                 .rules = seed % 4 == 0 ? 3U : 0U});
     const auto exact = shortest_visit_order(problem);
     ASSERT_TRUE(exact) << seed;
     const auto good = good_visit_order(problem);
@@ -143,7 +148,8 @@ TEST(VisitingOrder, SearchIsHeldAgainstTheShortestAtTenToTwelvePlaces) {
   RecordProperty("mean_gap_percent", std::to_string(100.0 * gap / count));
   RecordProperty("worst_gap_percent", std::to_string(100.0 * worst));
   RecordProperty("mean_bound_gap_percent", std::to_string(100.0 * bound_gap / count));
-  std::printf("search over the shortest: mean %.4f %%, worst %.4f %%; bound below it: mean %.3f %%\n", 100.0 * gap / count, 100.0 * worst, 100.0 * bound_gap / count);
+  std::printf("search over the shortest: mean %.4f %%, worst %.4f %%; bound below it: mean %.3f %%\n", 100.0 * gap / count, 100.0 * worst,
+              100.0 * bound_gap / count);
   EXPECT_LT(gap / count, 0.002);
   EXPECT_LT(bound_gap / count, 0.04);
 }
@@ -158,7 +164,8 @@ TEST(VisitingOrder, ManyPlacesAreOrderedWithinTheBound) {
       ASSERT_TRUE(length) << "the order breaks a rule";
       EXPECT_EQ(order->back(), n - 1);
       const std::int64_t bound = visit_length_bound(problem, *length);
-      std::printf("%zu places, %zu jobs: %.1f m, bound %.1f m, gap %.2f %%\n", n, jobs, static_cast<double>(*length) / 1e6, static_cast<double>(bound) / 1e6, 100.0 * (static_cast<double>(*length) / static_cast<double>(bound) - 1.0));
+      std::printf("%zu places, %zu jobs: %.1f m, bound %.1f m, gap %.2f %%\n", n, jobs, static_cast<double>(*length) / 1e6, static_cast<double>(bound) / 1e6,
+                  100.0 * (static_cast<double>(*length) / static_cast<double>(bound) - 1.0));
       EXPECT_LE(bound, *length);
       EXPECT_GT(static_cast<double>(bound), 0.95 * static_cast<double>(*length));
       EXPECT_EQ(order, good_visit_order(problem));

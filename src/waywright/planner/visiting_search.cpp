@@ -176,7 +176,9 @@ std::optional<Order> good_visit_order(const VisitProblem& problem, const std::at
   for (std::size_t shake = 0; shake < shakes && m >= 3; ++shake) {
     if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) break;
     Random random = Random::stream(1, shake);
-    const auto at = [&](std::size_t low, std::size_t high) { return static_cast<std::size_t>(random.integer(static_cast<std::int64_t>(low), static_cast<std::int64_t>(high))); };
+    const auto at = [&](std::size_t low, std::size_t high) {
+      return static_cast<std::size_t>(random.integer(static_cast<std::int64_t>(low), static_cast<std::int64_t>(high)));
+    };
     Tour tour{problem, best};
     bool is_shaken = false;
     for (int draw = 0; draw < 20 && !is_shaken; ++draw) {
