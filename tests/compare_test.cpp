@@ -8,11 +8,11 @@
 #include <tuple>
 
 #include "waywright/io/scenario_io.hpp"
+#include "waywright/planner/threads.hpp"
 #include "waywright/study/merits.hpp"
 #include "waywright/study/run_cost.hpp"
 #include "waywright/study/short_names.hpp"
 #include "waywright/study/summary.hpp"
-#include "waywright/study/threads.hpp"
 
 namespace waywright {
 namespace {

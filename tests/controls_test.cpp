@@ -85,6 +85,34 @@ TEST_F(Controls, MissionsInLegsAreDrivenExactly) {
   refused(run("controls " + plan + " --method woa"), {"p/plan.json", "legs", "woa", "--method exact"});
 }
 
+TEST_F(Controls, TorquesOfMecanumWheelsAndPlansThatAreDrivenSlowerForThem) {
+  const std::string plan = planned(example("fields/mecanum_discs.json"));
+  ASSERT_EQ(run("controls " + plan + " -o c").status, 0);
+  const Json free = Json::parse(slurp(folder_ / "c/controls.json"));
+  EXPECT_EQ(free["motors"]["slowing"], 1.0);
+  const double torque = free["motors"]["greatest_torque"].get<double>(), speed = free["motors"]["greatest_wheel_speed"].get<double>();
+  EXPECT_GT(torque, 0.1);
+  EXPECT_NE(slurp(folder_ / "c/controls.csv").find(",torque_front_left,torque_front_right,torque_rear_left,torque_rear_right,x,"), std::string::npos);
+  EXPECT_NE(slurp(folder_ / "c/controls.svg").find("Torques of the motors at the wheels"), std::string::npos);
+  const Outcome o = run("controls " + plan + " -o c --set rolling_arm=0.001 --set wheel_inertia=0.0002 --set max_torque=" + std::to_string(0.7 * torque) + " --set max_wheel_speed=" + std::to_string(0.9 * speed));
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
+  EXPECT_NE(o.out.find("slowed"), std::string::npos) << o.out;
+  const Json slow = Json::parse(slurp(folder_ / "c/controls.json"));
+  EXPECT_GT(slow["motors"]["slowing"].get<double>(), 1.1);
+  EXPECT_LE(slow["motors"]["greatest_torque"].get<double>(), 0.7 * torque + 1e-6);
+  EXPECT_LE(slow["motors"]["greatest_wheel_speed"].get<double>(), 0.9 * speed + 1e-6);
+  const Json& m = slow["motors"];
+  EXPECT_NEAR(m["driving"].get<double>() - m["braking"].get<double>(), m["kinetic_change"].get<double>() + m["rolling_losses"].get<double>(), 1e-6);
+  EXPECT_GT(slow["time"].get<double>(), 1.1 * free["time"].get<double>());
+  for (const char* wheel : {"front_left", "front_right", "rear_left", "rear_right"}) {
+    for (const Json& value : slow["series"][std::string{"torque_"} + wheel]) ASSERT_LE(std::abs(value.get<double>()), 0.7 * torque + 1e-6);
+  }
+  refused(run("controls " + plan + " --set inertia=100"), {"--set inertia: 100 is more than the whole mass has"});
+  refused(run("controls " + plan + " --set rolling_arm=0.01 --set max_torque=0.001"), {"--set: the motors are too weak"});
+  refused(run("controls " + plan + " --set max_torque=-1"), {"--set max_torque: -1 is out of range"});
+  refused(run("controls " + planned(example("goal_pose.json")) + " --set max_torque=1"), {"--set: the exact method's parameters are those of a mecanum base's motors"});
+}
+
 TEST_F(Controls, RefusesWhatItCannotUse) {
   const std::string plan = planned(example("goal_pose.json"));
   refused(run("controls nowhere.json"), {"nowhere.json"});

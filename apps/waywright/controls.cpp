@@ -85,24 +85,100 @@ WhaleControlOptions whale_options(const Parameters& p) {
 struct Made {
   std::string json, text;
   std::vector<ControlRow> rows;
+  std::optional<WheelTorques> torques{};
   bool is_good = false;
 };
 
 std::string line(const char* name, const std::string& value) { return fmt::format("  {:<22} {}\n", name, value); }
 std::string error_words(const EndError& e) { return fmt::format("{:.4f} m, {:.4f} rad", e.position, e.heading); }
 
-Made exact(const Plan& plan, double period) {
-  const ExactControls c = exact_controls(plan, period);
-  Made made{controls_json(plan, c), {}, c.rows, c.end.position < largest_miss};
+/// Motors are known of a mecanum base with a mass.
+bool has_motors(const Vehicle& vehicle) { return std::holds_alternative<Mecanum>(vehicle.drive) && vehicle.mass > 0.0; }
+
+/// What the exact method is told of a mecanum base's motors.
+PlannerDescription exact_description() {
+  PlannerDescription d;
+  d.name = "exact";
+  d.parameters = {
+      {.name = "inertia",
+       .default_value = 0.0,
+       .summary = "of yaw about the origin, without a load; 0: the mass spread evenly over the footprint",
+       .unit = "kg m2",
+       .low = 0,
+       .high = 1e9},
+      {.name = "wheel_inertia", .default_value = 0.0, .summary = "of one wheel's spin with its motor's", .unit = "kg m2", .low = 0, .high = 1e6},
+      {.name = "rolling_arm", .default_value = 0.0, .summary = "rolling resistance of a wheel over its load", .unit = "m", .low = 0, .high = 10},
+      {.name = "max_torque", .default_value = 0.0, .summary = "of a motor at its wheel; 0: no limit", .unit = "N m", .low = 0, .high = 1e9},
+      {.name = "max_wheel_speed", .default_value = 0.0, .summary = "0: no limit", .unit = "rad/s", .low = 0, .high = 1e6},
+  };
+  return d;
+}
+
+/// Refused where the vehicle is none that has such motors, or the values fit none.
+Parsed<WheelMotors> motors_of(const Plan& plan, const Parameters& p, const ControlsArguments& arguments) {
+  const Vehicle& vehicle = plan.scenario.vehicle;
+  const WheelMotors m{number_of(p, "inertia"), number_of(p, "wheel_inertia"), number_of(p, "rolling_arm"), number_of(p, "max_torque"),
+                      number_of(p, "max_wheel_speed")};
+  if (arguments.set.empty()) return m;
+  const auto refuse = [](const char* field, std::string problem, std::string allowed) {
+    return tl::unexpected{InputError{"", field, std::move(problem), std::move(allowed)}};
+  };
+  if (!std::holds_alternative<Mecanum>(vehicle.drive))
+    return refuse("--set", "the exact method's parameters are those of a mecanum base's motors", "a plan of a mecanum base, or --method woa");
+  if (!has_motors(vehicle))
+    return tl::unexpected{InputError{arguments.plan.string(), "scenario.vehicle.mass", "torques follow from it, and there is none", "a vehicle with a mass"}};
+  const double farthest = vehicle.mass * vehicle.footprint.radius() * vehicle.footprint.radius();
+  if (m.inertia > farthest)
+    return refuse("--set inertia", fmt::format("{:g} is more than the whole mass has at the farthest corner of the footprint", m.inertia),
+                  fmt::format("at most {:g} kg m2", farthest));
+  if (m.rolling_arm > std::get<Mecanum>(vehicle.drive).wheel_radius)
+    return refuse("--set rolling_arm", fmt::format("{:g} is more than the wheel's radius", m.rolling_arm),
+                  fmt::format("at most {:g} m", std::get<Mecanum>(vehicle.drive).wheel_radius));
+  return m;
+}
+
+/// How many times slower the motors need it; refused where times are not to be stretched, or no stretching serves.
+Parsed<double> slowing_of(const Plan& plan, double period, const WheelMotors& motors) {
+  if (!has_motors(plan.scenario.vehicle)) return 1.0;
+  const auto slowing = slowing_within(plan, period, motors);
+  const auto refuse = [](const std::string& problem) {
+    return tl::unexpected{InputError{"", "--set", problem, "stronger motors, or a plan with lower limits of speed and acceleration"}};
+  };
+  if (!slowing) return refuse("the motors are too weak for the plan, though it be driven a hundred times slower or with a million commands");
+  if (*slowing > 1.0 && !plan.scenario.moving.empty())
+    return refuse(fmt::format("the plan would have to be driven {:.3f} times slower for these motors, and its times among what moves are proven", *slowing));
+  if (*slowing > 1.0 && plan.samples.front().speed > 0.0) return refuse("the plan begins in motion, and the motors are too weak to follow it");
+  return *slowing;
+}
+
+Made exact(const Plan& plan, double period, const WheelMotors& motors, double slowing) {
+  const Plan driven = slowing > 1.0 ? slowed(plan, slowing) : plan;
+  const ExactControls c = exact_controls(driven, period);
+  Made made;
+  if (has_motors(plan.scenario.vehicle)) made.torques = wheel_torques(driven, c, motors);
+  made.json = controls_json(plan, c, made.torques ? &*made.torques : nullptr, slowing);
+  made.rows = c.rows;
+  made.is_good = c.end.position < largest_miss;
   made.text = line("method", fmt::format("exact, a command every {:g} s", period)) + line("commands", fmt::format("{}", c.rows.size() - 1)) +
-              line("time", fmt::format("{:.2f} s (the plan's {:.2f} s; {} stands on the way)", c.rows.back().t, c.plan_time, c.stands)) +
-              line("end error", error_words(c.end) + "; by midpoint odometry " + error_words(c.midpoint_end)) + line("greatest deviation", fmt::format("{:.4f} m", c.deviation));
+              line("time", fmt::format("{:.2f} s (the plan's {:.2f} s; {} stands on the way)", c.rows.back().t, plan.samples.back().t, c.stands)) +
+              line("end error", error_words(c.end) + "; by midpoint odometry " + error_words(c.midpoint_end)) +
+              line("greatest deviation", fmt::format("{:.4f} m", c.deviation));
+  if (!made.torques) return made;
+  const WheelTorques& t = *made.torques;
+  made.text += line("wheels", fmt::format("at most {:.3f} N m (at {:.2f} s) and {:.3f} rad/s (at {:.2f} s)", t.greatest_torque, t.greatest_torque_at,
+                                          t.greatest_speed, t.greatest_speed_at)) +
+               line("work of the motors", fmt::format("driving {:.3f} J, braking {:.3f} J; rolling takes {:.3f} J", t.driving, t.braking, t.rolling_losses));
+  if (slowing > 1.0) {
+    const WheelTorques needed = wheel_torques(plan, exact_controls(plan, period), motors);
+    made.text += line("slowed", fmt::format("{:.3f} times: at the plan's speed a wheel would take {:.3f} N m and turn at {:.3f} rad/s", slowing,
+                                            needed.greatest_torque, needed.greatest_speed));
+  }
   return made;
 }
 
 Made whale(const Problem& problem, const Plan& plan, double period, const Parameters& parameters, std::uint64_t seed) {
   const WhaleControls c = whale_controls(problem, plan, whale_options(parameters), period, seed);
-  Made made{controls_json(plan, c, parameters, seed), {}, c.rows, c.collision_free && c.arrives && c.end.position < largest_miss};
+  Made made{controls_json(plan, c, parameters, seed), {}, c.rows, {}, c.collision_free && c.arrives && c.end.position < largest_miss};
   std::size_t triplets = 0, free = 0;
   for (const ControlSegment& segment : c.segments) {
     triplets += segment.triplets.size();
@@ -141,19 +217,18 @@ Parsed<double> period_of(const ControlsArguments& arguments, const Plan& plan) {
 int controls(const ControlsArguments& arguments) {
   const bool is_whale = arguments.method == "woa";
   if (!is_whale && arguments.method != "exact") return complain({"", "--method", fmt::format("\"{}\" is not known", arguments.method), "exact, woa"});
-  if (!is_whale && !arguments.set.empty()) return complain({"", "--set", "the exact method has no parameters", "--method woa"});
   if (!is_whale && arguments.seed) return complain({"", "--seed", "the exact method draws no numbers", "--method woa"});
   if (arguments.seed && *arguments.seed > static_cast<std::uint64_t>(INT64_MAX)) return complain({"", "--seed", "the number is out of range", "0 to 9223372036854775807"});
   if (auto once = check_each_key_once(arguments.set); !once) return complain(once.error());
-  const PlannerDescription description = whale_description();
+  const PlannerDescription description = is_whale ? whale_description() : exact_description();
   Parameters given;
   for (const std::string& setting : arguments.set) {
     if (auto set = set_parameter(description, given, setting); !set) return complain(set.error());
   }
   const auto parameters = complete_parameters(description, given);
   if (!parameters) return complain(parameters.error());
-  if (number_of(*parameters, "least_time") > number_of(*parameters, "most_time")) return complain({"", "--set least_time", "it is greater than most_time", "at most that"});
-  if (number_of(*parameters, "triplets") > number_of(*parameters, "most_triplets")) return complain({"", "--set triplets", "there are more than most_triplets", "at most those"});
+  if (is_whale && number_of(*parameters, "least_time") > number_of(*parameters, "most_time")) return complain({"", "--set least_time", "it is greater than most_time", "at most that"});
+  if (is_whale && number_of(*parameters, "triplets") > number_of(*parameters, "most_triplets")) return complain({"", "--set triplets", "there are more than most_triplets", "at most those"});
 
   const auto plan = read_plan(arguments.plan);
   if (!plan) return complain(plan.error());
@@ -175,19 +250,24 @@ int controls(const ControlsArguments& arguments) {
     if (prepared->pocket()) return complain({arguments.plan.string(), "station.insertion", "woa makes no controls for the way into a pocket", "--method exact"});
     problem = std::move(*prepared);
   }
+  const auto motors = is_whale ? Parsed<WheelMotors>{} : motors_of(*plan, *parameters, arguments);
+  if (!motors) return complain(motors.error());
+  const auto slowing = is_whale ? Parsed<double>{1.0} : slowing_of(*plan, *period, *motors);
+  if (!slowing) return complain(slowing.error());
   const std::string& name = plan->scenario.name;
   const std::filesystem::path folder = arguments.out.value_or(default_folder((name.empty() ? arguments.plan.stem().string() : name) + "-controls"));
   const bool write = !arguments.json || arguments.out;
   if (write) {
     if (auto made = prepare_folder(folder); !made) return complain(made.error());
   }
-  const Made made = is_whale ? whale(*problem, *plan, *period, *parameters, arguments.seed.value_or(1)) : exact(*plan, *period);
+  const Made made = is_whale ? whale(*problem, *plan, *period, *parameters, arguments.seed.value_or(1)) : exact(*plan, *period, *motors, *slowing);
   const std::string title = fmt::format("{}: controls, {}", name.empty() ? arguments.plan.stem().string() : name, arguments.method);
   if (write) {
     const Vehicle& vehicle = plan->scenario.vehicle;
+    const WheelTorques* torques = made.torques ? &*made.torques : nullptr;
     auto written = write_files({{folder / "controls.json", made.json},
-                                {folder / "controls.csv", controls_csv(vehicle, made.rows)},
-                                {folder / "controls.svg", controls_svg(vehicle, title, made.rows)}});
+                                {folder / "controls.csv", controls_csv(vehicle, made.rows, torques)},
+                                {folder / "controls.svg", controls_svg(vehicle, title, made.rows, torques)}});
     if (!written) return complain(written.error());
   }
   const bool printed = arguments.json ? print_raw(made.json)

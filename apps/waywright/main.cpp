@@ -59,12 +59,12 @@ int run(int argc, char** argv) {
   replan_command->callback([&] { status = replan(replan_arguments); });
 
   ControlsArguments controls_arguments;
-  auto* controls_command = app.add_subcommand("controls", "speeds, turning rates and wheel speeds that drive a plan; writes controls.json, controls.csv and controls.svg");
+  auto* controls_command = app.add_subcommand("controls", "speeds, turning rates, wheel speeds and torques that drive a plan; writes controls.json, controls.csv and controls.svg");
   controls_command->add_option("PLAN", controls_arguments.plan, "plan.json")->required();
   controls_command->add_option("-o,--out", controls_arguments.out, "folder to write to (default: waywright-out/NAME-controls)");
   controls_command->add_option("--period", controls_arguments.period, "s, of a command, or of the simulation's steps (default: 0.05)");
   controls_command->add_option("--method", controls_arguments.method, "exact: the plan's own motion; woa: searched from waypoint to waypoint (default: exact)");
-  controls_command->add_option("--set", controls_arguments.set, "KEY=VALUE, a parameter of woa; may be repeated");
+  controls_command->add_option("--set", controls_arguments.set, "KEY=VALUE, a parameter of woa, or of a mecanum base's motors: inertia, wheel_inertia, rolling_arm, max_torque, max_wheel_speed; may be repeated");
   controls_command->add_option("--seed", controls_arguments.seed, "of woa (default: 1)");
   controls_command->add_flag("--json", controls_arguments.json, "controls.json on standard output and nothing else there");
   controls_command->callback([&] { status = controls(controls_arguments); });

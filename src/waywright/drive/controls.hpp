@@ -34,10 +34,16 @@ std::vector<WheelColumn> wheel_columns(const Drive& drive);
 /// The values of these; those that there are not are 0.
 std::array<double, 4> wheel_values(const Drive& drive, const ControlRow& row);
 
+/// Between two stands: the first of its commands, and of the plan's samples.
+struct StretchRows {
+  std::size_t first_row = 0, first_sample = 0;
+};
+
 /// The plan's own path and speed profile as commands of one period.
 struct ExactControls {
   double period = 0.0;  ///< s
   std::vector<ControlRow> rows;
+  std::vector<StretchRows> stretches;
   EndError end;             ///< of the commands, each an arc, added up
   EndError midpoint_end;    ///< of midpoint odometry over the same commands
   double deviation = 0.0;   ///< m, greatest, of the commands' poses from the plan's

@@ -62,6 +62,7 @@ ExactControls exact_controls(const Plan& plan, double period) {
     planned += stretch.duration;
     // A multiple of the period but for rounding is that.
     const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(duration / period - 1e-9)));
+    controls.stretches.push_back({controls.rows.size(), stretch.first});
     Moment from = motion.at(stretch, 0.0);
     for (std::size_t k = 0; k < count; ++k) {
       const double share = static_cast<double>(k + 1) / static_cast<double>(count);

@@ -43,7 +43,7 @@ TEST(BadScenario, EveryFieldIsRefusedWithItsSentence) {
       {"/format", R"(1)", R"(format: it is a number (allowed: text))"},
       {"/name", R"(7)", R"(name: it is a number (allowed: text))"},
       {"/meta", R"([])", R"(meta: it is an array (allowed: an object))"},
-      {"/clearence", R"(0.1)", R"(clearence: unknown field, did you mean "clearance"? (allowed: format, name, meta, map, vehicle, start, goal, waypoints, waypoint_radius, station, legs, clearance, pose_error, zones, moving, budget, planner, seed, carried_load))"},
+      {"/clearence", R"(0.1)", R"(clearence: unknown field, did you mean "clearance"? (allowed: format, name, meta, map, vehicle, start, goal, waypoints, waypoint_radius, station, legs, order, clearance, pose_error, zones, moving, budget, planner, seed, carried_load))"},
       {"/map", R"()", R"(map: the field is missing (allowed: an object with polygons, cells, ros, image, dxf, movingai, generate, svg, rmf or opentcs))"},
       {"/map", R"("map.json")", R"(map: it is text (allowed: an object with polygons, cells, ros, image, dxf, movingai, generate, svg, rmf or opentcs))"},
       {"/vehicle", R"()", R"(vehicle: the field is missing (allowed: a vehicle, or the name of a file that holds one))"},

@@ -15,7 +15,7 @@ struct Column {
   std::string name;
   std::vector<double> values;
 };
-std::vector<Column> columns_of(const Vehicle& vehicle, std::span<const ControlRow> rows) {
+std::vector<Column> columns_of(const Vehicle& vehicle, std::span<const ControlRow> rows, const WheelTorques* torques) {
   std::vector<Column> columns;
   const auto add = [&](const char* name, const auto& value) {
     Column column{name, {}};
@@ -28,6 +28,13 @@ std::vector<Column> columns_of(const Vehicle& vehicle, std::span<const ControlRo
   add("w", [](const ControlRow& r) { return r.twist.turn; });
   const std::vector<WheelColumn> wheels = wheel_columns(vehicle.drive);
   for (std::size_t k = 0; k < wheels.size(); ++k) add(wheels[k].name, [&](const ControlRow& r) { return wheel_values(vehicle.drive, r)[k]; });
+  if (torques != nullptr) {
+    for (const auto& [name, torque] : torque_columns) {
+      Column column{name, {}};
+      for (const MecanumTorques& each : torques->rows) column.values.push_back(each.*torque);
+      columns.push_back(std::move(column));
+    }
+  }
   add("x", [](const ControlRow& r) { return r.pose.x; });
   add("y", [](const ControlRow& r) { return r.pose.y; });
   add("heading", [](const ControlRow& r) { return r.pose.heading; });
@@ -44,15 +51,15 @@ Json head(const Plan& plan, const char* method, double period) {
   return j;
 }
 
-Json series_to_json(const Vehicle& vehicle, std::span<const ControlRow> rows) {
+Json series_to_json(const Vehicle& vehicle, std::span<const ControlRow> rows, const WheelTorques* torques = nullptr) {
   Json series = Json::object();
-  for (Column& column : columns_of(vehicle, rows)) series[column.name] = std::move(column.values);
+  for (Column& column : columns_of(vehicle, rows, torques)) series[column.name] = std::move(column.values);
   return series;
 }
 
 }  // namespace
 
-std::string controls_json(const Plan& plan, const ExactControls& controls) {
+std::string controls_json(const Plan& plan, const ExactControls& controls, const WheelTorques* torques, double slowing) {
   Json j = head(plan, "exact", controls.period);
   j["time"] = controls.rows.back().t;
   j["end_error"] = error_to_json(controls.end);
@@ -60,7 +67,22 @@ std::string controls_json(const Plan& plan, const ExactControls& controls) {
                   {"stands", controls.stands},
                   {"greatest_deviation", controls.deviation},
                   {"midpoint_odometry_end_error", error_to_json(controls.midpoint_end)}};
-  j["series"] = series_to_json(plan.scenario.vehicle, controls.rows);
+  if (torques != nullptr) {
+    const WheelMotors& m = torques->motors;
+    j["motors"] = {{"inertia", m.inertia},
+                   {"wheel_inertia", m.wheel_inertia},
+                   {"rolling_arm", m.rolling_arm},
+                   {"max_torque", m.most_torque > 0.0 ? Json(m.most_torque) : Json(nullptr)},
+                   {"max_wheel_speed", m.most_speed > 0.0 ? Json(m.most_speed) : Json(nullptr)},
+                   {"slowing", slowing},
+                   {"greatest_torque", torques->greatest_torque},
+                   {"greatest_wheel_speed", torques->greatest_speed},
+                   {"driving", torques->driving},
+                   {"braking", torques->braking},
+                   {"rolling_losses", torques->rolling_losses},
+                   {"kinetic_change", torques->kinetic_change}};
+  }
+  j["series"] = series_to_json(plan.scenario.vehicle, controls.rows, torques);
   return pretty(j);
 }
 
@@ -98,8 +120,8 @@ std::string controls_json(const Plan& plan, const WhaleControls& controls, const
   return pretty(j);
 }
 
-std::string controls_csv(const Vehicle& vehicle, std::span<const ControlRow> rows) {
-  const std::vector<Column> columns = columns_of(vehicle, rows);
+std::string controls_csv(const Vehicle& vehicle, std::span<const ControlRow> rows, const WheelTorques* torques) {
+  const std::vector<Column> columns = columns_of(vehicle, rows, torques);
   std::string out;
   for (std::size_t k = 0; k < columns.size(); ++k) out += (k == 0 ? "" : ",") + columns[k].name;
   out += '\n';

@@ -171,6 +171,9 @@ void read_legs(const Node& whole, Scenario& scenario) {
     }
     scenario.legs.push_back(std::move(leg));
   }
+  if (!whole.has("order")) return;
+  const std::string order = whole.at("order").word({"given", "best", "best_to_last"});
+  scenario.order = order == "best" ? LegOrder::best : order == "best_to_last" ? LegOrder::best_to_last : LegOrder::given;
 }
 
 Json station_to_json(const Station& station) {
@@ -234,6 +237,7 @@ void read_whole_mission(const Node& node, Scenario& scenario) {
   const std::string mission = only_mission(node, {"goal", "station", "legs"}, "exactly one of goal, station, legs");
   std::vector<std::string>& notes = scenario.map.notes;
   if (mission == "legs") return read_legs(node, scenario);
+  if (node.has("order")) return node.at("order").fail("there are no legs to be ordered", "a mission in legs");
   if (mission == "station") scenario.mission = read_station(node.at("station"), notes);
   if (mission == "goal") scenario.mission = read_goal(node.at("goal"), notes);
   if (!mission.empty()) read_waypoints_of(node, scenario.waypoints, scenario.waypoint_radius);
@@ -244,6 +248,7 @@ void mission_to_json(const Scenario& scenario, Json& json) {
   Json legs = Json::array();
   for (const Leg& leg : scenario.legs) legs.push_back(leg_to_json(leg));
   json["legs"] = std::move(legs);
+  if (scenario.order != LegOrder::given) json["order"] = scenario.order == LegOrder::best ? "best" : "best_to_last";
 }
 
 }  // namespace waywright

@@ -180,6 +180,11 @@ std::string plan_json(const Plan& plan) {
   if (const auto& o = plan.optimality) {
     j["meta"]["optimality"] = {{"cost", o->cost}, {"lower_bound", o->lower_bound}, {"gap", o->gap()}, {"boxes", o->boxes}};
   }
+  if (const auto& o = plan.order) {
+    j["meta"]["order"] = {{"given_as", o->given_as},        {"length", o->length},      {"length_as_given", o->given_length ? Json(*o->given_length) : Json(nullptr)},
+                          {"lower_bound", o->lower_bound},  {"gap", o->gap()},          {"exact", o->is_exact},
+                          {"ways_planned", o->ways},        {"ways_missing", o->ways_missing}};
+  }
   return pretty(j);
 }
 

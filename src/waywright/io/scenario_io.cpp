@@ -159,7 +159,7 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder, const Site
   Scenario scenario;
   check_format(node, "scenario");  // first: a newer one may well have fields that are unknown here
   if (node.failed() || !node.is_object_of({"format", "name", "meta", "map", "vehicle", "start", "goal",
-                                           "waypoints", "waypoint_radius", "station", "legs", "clearance", "pose_error", "zones",
+                                           "waypoints", "waypoint_radius", "station", "legs", "order", "clearance", "pose_error", "zones",
                                            "moving", "budget", "planner", "seed", "carried_load"})) {
     return scenario;
   }

@@ -149,7 +149,7 @@ class Fingerprint {
   void add(const Scenario& s) {
     add(s.zones);
     add_all(s.name, s.meta, s.map, s.map_source, s.vehicle, s.start, s.mission);
-    add_all(s.legs, s.waypoints);
+    add_all(s.legs, static_cast<int>(s.order), s.waypoints);
     add_all(s.clearance, s.pose_error.lateral, s.pose_error.longitudinal, s.pose_error.heading,
             s.budget.evaluations, s.budget.expansions, s.budget.samples, s.budget.seconds, s.planner.name,
             s.planner.parameters, s.seed);

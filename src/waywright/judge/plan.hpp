@@ -65,6 +65,18 @@ struct LegResult {
   std::vector<Sample> driven;  ///< where the mission came no further than a later leg: this one's path, for the picture
 };
 
+/// How the order of a mission's legs was chosen, by the lengths of the ways between their places.
+struct VisitingOrder {
+  std::vector<std::size_t> given_as;   ///< where each leg, in the order driven, stood in the mission as it was given
+  double length = 0.0;                 ///< m, of the order by those lengths
+  std::optional<double> given_length;  ///< m, of the order given; empty where it cannot be driven
+  double lower_bound = 0.0;            ///< m; no order is shorter
+  bool is_exact = false;               ///< it is the shortest of all
+  std::int64_t ways = 0;               ///< planned between places
+  std::int64_t ways_missing = 0;       ///< of them, where the planner found none that is proven
+  double gap() const { return lower_bound > 0.0 ? length / lower_bound - 1.0 : 0.0; }  ///< it is at most this share longer than the shortest
+};
+
 /// The vehicle stands for a while to let a moving obstacle pass.
 struct Wait {
   double s = 0.0;             ///< m
@@ -121,6 +133,7 @@ struct Plan {
   std::optional<Replanned> replanned;   ///< likewise
   std::vector<Wait> waits;              ///< of its samples, for words and pictures; in no file
   std::optional<Hindrance> hindrance;   ///< likewise; then it is not proven
+  std::optional<VisitingOrder> order;  ///< where the order of the legs was chosen; in the file's meta
   std::vector<LegResult> legs;  ///< of a mission in legs, as far as it came; else none
 };
 

@@ -1,7 +1,14 @@
 #include "waywright/planner/solve_legs.hpp"
 
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
 #include "waywright/judge/left_behind.hpp"
 #include "waywright/judge/legs.hpp"
+#include "waywright/planner/order_legs.hpp"
 #include "waywright/planner/solve_words.hpp"
 
 namespace waywright {
@@ -44,38 +51,98 @@ Parsed<void> complete_legs(Scenario& mission) {
     if (leg.planner) leg.planner = std::move(choice);
     ++begin.index;
   }
+  if (mission.order == LegOrder::given) return {};
+  if (auto ordered = ordered_legs(mission); !ordered) return tl::unexpected{ordered.error()};
   return {};
 }
 
-Parsed<Plan> solve_legs(const Scenario& scenario, const std::atomic<bool>* cancel) {
-  Scenario mission = scenario;
-  if (auto completed = complete_legs(mission); !completed) return tl::unexpected{completed.error()};
+Parsed<SolvedLeg> solve_leg(const Scenario& mission, const LegBegin& begin, const World& of_map, const std::atomic<bool>* cancel) {
+  const auto problem = prepare_leg(mission, begin, of_map);
+  if (!problem) return tl::unexpected{problem.error()};
+  auto plan = is_standing(mission, begin) ? Parsed<Plan>{standing(*problem, cancel)} : solve(*problem, cancel);
+  if (!plan) return tl::unexpected{error_of_leg(mission, begin, plan.error())};
+  plan->reason = told_of_load(mission, begin, {plan->status, plan->reason}).reason;
+  judge_left_behind(mission, begin, *problem, *plan);
+  LegBegin next = next_leg(mission, begin, end_of(*problem, plan->path));
+  if (next.index == mission.legs.size() && !plan->path.pieces.empty()) {
+    const auto load = check_last_load(mission, next, of_map);
+    if (!load) return tl::unexpected{load.error()};
+    if (*load) {
+      const Effort effort = plan->effort;
+      *plan = failed_plan(*problem, **load);
+      plan->effort = effort;
+    }
+  }
+  return SolvedLeg{std::move(*plan), std::move(next)};
+}
+
+namespace {
+
+/// @pre complete_legs holds
+Parsed<Plan> solve_as_they_stand(const Scenario& mission, const std::atomic<bool>* cancel) {
   const World of_map{mission.map};
   std::vector<JudgedLeg> legs;
   LegBegin begin = first_leg(mission);
   while (begin.index < mission.legs.size()) {
-    const auto problem = prepare_leg(mission, begin, of_map);
-    if (!problem) return tl::unexpected{problem.error()};
-    auto plan = is_standing(mission, begin) ? Parsed<Plan>{standing(*problem, cancel)} : solve(*problem, cancel);
-    if (!plan) return tl::unexpected{error_of_leg(mission, begin, plan.error())};
-    plan->reason = told_of_load(mission, begin, {plan->status, plan->reason}).reason;
-    judge_left_behind(mission, begin, *problem, *plan);
-    const LegBegin next = next_leg(mission, begin, end_of(*problem, plan->path));
-    if (next.index == mission.legs.size() && !plan->path.pieces.empty()) {
-      const auto load = check_last_load(mission, next, of_map);
-      if (!load) return tl::unexpected{load.error()};
-      if (*load) {
-        const Effort effort = plan->effort;
-        *plan = failed_plan(*problem, **load);
-        plan->effort = effort;
-      }
-    }
-    plan->scenario = {};  // with its map
-    legs.push_back({begin, next.pose, std::move(*plan)});
+    auto solved = solve_leg(mission, begin, of_map, cancel);
+    if (!solved) return tl::unexpected{solved.error()};
+    solved->plan.scenario = {};  // with its map
+    legs.push_back({begin, solved->next.pose, std::move(solved->plan)});
     if (legs.back().plan.path.pieces.empty() || legs.back().plan.status == Status::canceled) break;
-    begin = next;
+    begin = std::move(solved->next);
   }
   return join_legs(mission, std::move(legs));
+}
+
+Parsed<Plan> solve_in_best_order(const Scenario& mission, const std::atomic<bool>* cancel) {
+  using Clock = std::chrono::steady_clock;
+  const auto choosing = Clock::now();
+  auto chosen = choose_order(mission, cancel);
+  if (!chosen) return tl::unexpected{chosen.error()};
+  const double chosen_in = std::chrono::duration<double>(Clock::now() - choosing).count();
+  auto plan = solve_as_they_stand(chosen->mission, cancel);
+  if (!plan) return plan;
+  std::vector<std::string> sentences = chosen->sentences;
+  if (chosen->is_canceled) {
+    plan->status = Status::canceled;
+    plan->reason = "the run was interrupted while the order of the legs was chosen";
+    plan->reproducible = false;
+  } else if (!chosen->is_found && plan->status != Status::solved && plan->status != Status::canceled) {
+    plan->status = chosen->failure.status;
+    plan->reason = chosen->failure.reason;
+    sentences.emplace_back("There is no order to choose; the legs are shown in the order given, as far as it comes.");
+  } else if (chosen->is_found && plan->status != Status::solved && plan->status != Status::canceled && chosen->order.given_length && chosen->order.length < *chosen->order.given_length) {
+    // Loads that were set down stand in the way of what seemed best.
+    auto given = solve_as_they_stand(mission, cancel);
+    if (!given) return given;
+    if (given->status == Status::solved) {
+      sentences = {fmt::format("The legs are driven in the order given, {:.3f} m by the lengths of the ways between the places: the order chosen by them, {:.3f} m, cannot be driven ({}).",
+                               *chosen->order.given_length, chosen->order.length, plan->reason)};
+      std::iota(chosen->order.given_as.begin(), chosen->order.given_as.end(), std::size_t{0});
+      chosen->order.length = *chosen->order.given_length;
+      chosen->order.is_exact = false;
+      plan = std::move(given);
+    }
+  }
+  if (chosen->is_found && plan->status == Status::solved && std::abs(plan->metrics.length - chosen->order.length) > 1e-3) {
+    sentences.push_back(fmt::format("The plan is {:.3f} m long, not {:.3f} m: the ways between places were planned without the loads that the order had set down before, and of free headings with another one.",
+                                    plan->metrics.length, chosen->order.length));
+  }
+  if (chosen->is_found) plan->order = chosen->order;
+  plan->explanation.insert(plan->explanation.begin(), sentences.begin(), sentences.end());
+  plan->effort.evaluations += chosen->effort.evaluations;
+  plan->effort.expansions += chosen->effort.expansions;
+  plan->timing.plan += chosen_in;
+  plan->reproducible = plan->reproducible && chosen->reproducible;
+  return plan;
+}
+
+}  // namespace
+
+Parsed<Plan> solve_legs(const Scenario& scenario, const std::atomic<bool>* cancel) {
+  Scenario mission = scenario;
+  if (auto completed = complete_legs(mission); !completed) return tl::unexpected{completed.error()};
+  return mission.order == LegOrder::given ? solve_as_they_stand(mission, cancel) : solve_in_best_order(mission, cancel);
 }
 
 }  // namespace waywright

@@ -12,6 +12,13 @@ namespace {
 constexpr double width = 860.0, height = 190.0, title_height = 44.0, gap = 10.0, legend_line = 18.0;  // px
 constexpr double degrees = 180.0 / pi;
 
+std::string spaced(std::string name) {
+  for (char& c : name) {
+    if (c == '_') c = ' ';
+  }
+  return name;
+}
+
 /// Each command holds until the next: two points each.
 void hold(std::span<const ControlRow> rows, const auto& value, std::vector<double>& time, std::vector<double>& values) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -39,7 +46,7 @@ Chart chart_of(std::string title, std::span<const ControlRow> rows, const auto& 
 
 }  // namespace
 
-std::string controls_svg(const Vehicle& vehicle, const std::string& title, std::span<const ControlRow> rows) {
+std::string controls_svg(const Vehicle& vehicle, const std::string& title, std::span<const ControlRow> rows, const WheelTorques* torques) {
   const Limits& limits = vehicle.limits;
   std::vector<Chart> charts;
   charts.push_back(chart_of("Speed v in m/s, forward positive", rows, [](const ControlRow& row) { return row.twist.forward; }));
@@ -59,14 +66,24 @@ std::string controls_svg(const Vehicle& vehicle, const std::string& title, std::
     chart.title = fmt::format("Wheels in {}", columns.front().unit);
     chart.axis = "t in s";
     for (std::size_t k = 0; k < columns.size(); ++k) {
-      std::string name = columns[k].name;
-      for (char& c : name) {
-        if (c == '_') c = ' ';
-      }
-      ChartSeries series{name, stroke_attributes(overlay_stroke(k)), {}, {}};
+      ChartSeries series{spaced(columns[k].name), stroke_attributes(overlay_stroke(k)), {}, {}};
       hold(rows, [&](const ControlRow& row) { return wheel_values(vehicle.drive, row)[k]; }, series.s, series.value);
       chart.series.push_back(std::move(series));
     }
+    if (torques != nullptr && torques->motors.most_speed > 0.0) chart.limits = {{torques->motors.most_speed, "limit"}, {-torques->motors.most_speed, "limit"}};
+    charts.push_back(std::move(chart));
+  }
+  if (torques != nullptr) {
+    Chart chart;
+    chart.title = "Torques of the motors at the wheels in N·m, driving forward positive";
+    chart.axis = "t in s";
+    for (std::size_t k = 0; k < torque_columns.size(); ++k) {
+      ChartSeries series{spaced(columns[k].name), stroke_attributes(overlay_stroke(k)), {}, {}};
+      const auto torque = torque_columns[k].torque;
+      hold(rows, [&](const ControlRow& row) { return torques->rows[static_cast<std::size_t>(&row - rows.data())].*torque; }, series.s, series.value);
+      chart.series.push_back(std::move(series));
+    }
+    if (torques->motors.most_torque > 0.0) chart.limits = {{torques->motors.most_torque, "limit"}, {-torques->motors.most_torque, "limit"}};
     charts.push_back(std::move(chart));
   }
   std::string body;

@@ -5,10 +5,12 @@
 #include <string>
 
 #include "waywright/drive/controls.hpp"
+#include "waywright/drive/wheel_torques.hpp"
 
 namespace waywright {
 
 /// controls.svg: v and ω over time with their limits, below them what the wheels do. Stands alone.
-std::string controls_svg(const Vehicle& vehicle, const std::string& title, std::span<const ControlRow> rows);
+/// With `torques` those of the wheels' motors, too.
+std::string controls_svg(const Vehicle& vehicle, const std::string& title, std::span<const ControlRow> rows, const WheelTorques* torques = nullptr);
 
 }  // namespace waywright

@@ -52,6 +52,11 @@ bool is_taken_again(const Scenario& mission, std::size_t leg, const LeftLoad& lo
   return end && known != mission.vehicle.loads.end() && is_touching(outline_of(mission, load), known->second.footprint, *end);
 }
 
+bool is_touching(const Scenario& mission, const LeftLoad& a, const LeftLoad& b) {
+  const auto known = mission.vehicle.loads.find(b.name);
+  return mission.vehicle.loads.contains(a.name) && known != mission.vehicle.loads.end() && is_touching(outline_of(mission, a), known->second.footprint, b.pose);
+}
+
 std::vector<LeftLoad> standing_on(const Scenario& mission, std::size_t leg, const std::vector<LeftLoad>& left) {
   std::vector<LeftLoad> standing;
   for (const LeftLoad& load : left) {

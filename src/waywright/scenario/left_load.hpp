@@ -25,6 +25,9 @@ std::string title_of(const LeftLoad& load);
 /// heading or the place free does not, since nobody knows before where the load would be.
 bool is_taken_again(const Scenario& mission, std::size_t leg, const LeftLoad& load);
 
+/// Do two of them overlap or touch?
+bool is_touching(const Scenario& mission, const LeftLoad& a, const LeftLoad& b);
+
 /// The loads that are obstacles on a leg: those that the vehicle has got clear of, and does not take up again there.
 std::vector<LeftLoad> standing_on(const Scenario& mission, std::size_t leg, const std::vector<LeftLoad>& left);
 /// Those that the vehicle stands in when the leg begins.

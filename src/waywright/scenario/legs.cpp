@@ -47,6 +47,7 @@ World furnished(const Scenario& mission, const Station* own, const std::vector<L
 Scenario shared_part(const Scenario& mission) {
   Scenario scenario = mission;
   scenario.legs.clear();
+  scenario.order = LegOrder::given;
   scenario.waypoints.clear();
   scenario.start_motion = {};
   return scenario;

@@ -94,6 +94,13 @@ struct Leg {
   std::optional<PlannerChoice> planner{};
 };
 
+/// In which order a mission's legs are driven.
+enum class LegOrder {
+  given,         ///< as they stand
+  best,          ///< the shortest
+  best_to_last,  ///< the shortest with the last leg as the last
+};
+
 struct Scenario {
   std::string name;
   std::string meta = "{}";  ///< JSON text, carried along
@@ -104,6 +111,7 @@ struct Scenario {
   StartMotion start_motion;
   Mission mission;
   std::vector<Leg> legs;         ///< where there are any, they take the place of mission and waypoints: see legs.hpp
+  LegOrder order = LegOrder::given;
   std::vector<Vec2> waypoints;   ///< to be passed in this order on the way to the pose; headings are free
   double waypoint_radius = 0.0;  ///< m, ≥ 0: as near to each of them the path has to pass
   std::string carried_load;  ///< name of the vehicle's load that is carried all the way (of legs: at the beginning); empty: none

@@ -16,12 +16,12 @@
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/planner/registry.hpp"
 #include "waywright/planner/solve_legs.hpp"
+#include "waywright/planner/threads.hpp"
 #include "waywright/report/report.hpp"
 #include "waywright/report/scene.hpp"
 #include "waywright/report/spots.hpp"
 #include "waywright/report/words.hpp"
 #include "waywright/scenario/problem.hpp"
-#include "waywright/study/threads.hpp"
 
 namespace waywright {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "waywright/core/budget.hpp"
 #include "waywright/judge/import.hpp"
+#include "waywright/planner/threads.hpp"
 #include "waywright/study/outside.hpp"
-#include "waywright/study/threads.hpp"
 
 namespace waywright {
 namespace {

@@ -9,11 +9,11 @@
 #include "waywright/map/whale_maps.hpp"
 #include "waywright/planner/plane/plane_ends.hpp"
 #include "waywright/planner/roadmap/least_length.hpp"
+#include "waywright/planner/threads.hpp"
 #include "waywright/planner/tree/plane_tree.hpp"
 #include "waywright/planner/tree/whale_refinement.hpp"
 #include "waywright/planner/tree/whale_steering.hpp"
 #include "waywright/study/rrt_woa_tables.hpp"
-#include "waywright/study/threads.hpp"
 
 namespace waywright::rrt_woa {
 namespace {

@@ -1,4 +1,4 @@
-#include "waywright/study/threads.hpp"
+#include "waywright/planner/threads.hpp"
 
 #include <algorithm>
 #include <system_error>
