@@ -39,7 +39,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
 
   Plan plan;
   if (result) {
-    plan = judge(problem, problem.whole_path(std::move(result->path), result->begins_in_motion), cancel);
+    plan = judge(problem, problem.whole_path(std::move(result->path), result->begins_in_motion), cancel, {}, result->pace ? &*result->pace : nullptr);
     plan.explanation = std::move(result->explanation);
     plan.alternatives = std::move(result->alternatives);
     plan.optimality = result->optimality;
@@ -52,6 +52,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
       if (!led) return led;
       plan = std::move(*led);
     }
+    if (plan.status == Status::unproven && !result->shortcoming.empty()) plan.reason += (plan.reason.empty() ? "" : "; ") + result->shortcoming;
     explain_mission(problem, plan, plan.explanation);
     plan.explanation.push_back(plan.status == Status::solved ? proof_sentence(problem, plan)
                                                              : plan.status == Status::canceled ? "The run was interrupted: this path is not proven." : "This path is not proven: " + plan.reason + ".");
