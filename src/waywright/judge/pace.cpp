@@ -32,20 +32,23 @@ class SpeedWanted {
   std::size_t next_ = 0;
 };
 
-/// What the way allows and the pace asks for, whichever is less.
-LimitsAlong limits_with(const std::vector<Sample>& samples, const LimitsAlong& along, const Pace& pace) {
+/// What the way allows and the pace asks for, whichever is less. `fastest`: the samples with the fastest profile, which no speed is over: under a limit of angular acceleration
+/// one that was slower before might be, for a moment, and `verify` takes it for the bound that it nearly is.
+LimitsAlong limits_with(const std::vector<Sample>& samples, const std::vector<Sample>& fastest, const LimitsAlong& along, const Pace& pace) {
   LimitsAlong both;
   both.samples.reserve(samples.size());
   SpeedWanted wanted{pace};
-  for (const Sample& sample : samples) both.samples.push_back(wanted.at(sample.s));
+  for (std::size_t i = 0; i < samples.size(); ++i) both.samples.push_back(std::min(wanted.at(samples[i].s), fastest[i].speed));
   both.steps.reserve(samples.size());
+  auto place = pace.places.begin();
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-    // The faster of both ends: the profile keeps the slower one of the steps beside a sample, which is what the pace has there.
-    both.steps.push_back(std::max(std::max(both.samples[i], both.samples[i + 1]), least_speed));
+    double top = std::max({both.samples[i], both.samples[i + 1], least_speed});
+    while (place != pace.places.end() && place->s < samples[i].s) ++place;
+    for (auto on = place; on != pace.places.end() && on->s < samples[i + 1].s; ++on) top = std::max(top, on->speed);
+    both.steps.push_back(top);
   }
   if (!along.steps.empty()) {
     for (std::size_t i = 0; i < both.steps.size(); ++i) both.steps[i] = std::min(both.steps[i], along.steps[i]);
-    for (std::size_t i = 0; i < both.samples.size(); ++i) both.samples[i] = std::min(both.samples[i], along.samples[i]);
   }
   return both;
 }
@@ -62,9 +65,11 @@ LimitsAlong part_of(const LimitsAlong& along, std::size_t from, std::size_t to) 
 Timed timed_at_pace(const Problem& problem, const std::vector<Sample>& samples, const LimitsAlong& along, const Pace& pace) {
   Timed timed;
   if (samples.size() < 2) return {samples, {}, {}};
-  const LimitsAlong limits = limits_with(samples, along, pace);
   SpeedWorkspace workspace;
   double time = 0.0, speed = problem.motion() ? problem.motion()->speed : 0.0;
+  std::vector<Sample> fastest = samples;
+  assign_speed(fastest, problem.vehicle(), speed, workspace, along);
+  const LimitsAlong limits = limits_with(samples, fastest, along, pace);
   std::size_t from = 0;
   const auto drive_to = [&](std::size_t to) {
     std::vector<Sample> part{samples.begin() + static_cast<std::ptrdiff_t>(from), samples.begin() + static_cast<std::ptrdiff_t>(to) + 1};

@@ -116,10 +116,12 @@ LocalDriver::Meeting LocalDriver::drive(LocalDrive& all, FreeState at, const std
   };
   double s = 0.0, best = 0.0, since = at.t;
   std::optional<double> lost_since;
+  LocalField::Sides sides(movers_.size(), 0);
   if (!all.driven.empty()) {
     s = all.driven.back().s;
     best = all.driven.back().best;
     since = all.driven.back().since;
+    sides = all.driven.back().sides;
   }
   bool tried_anew = false;  // at this place
   while (true) {
@@ -144,7 +146,7 @@ LocalDriver::Meeting LocalDriver::drive(LocalDrive& all, FreeState at, const std
     if (last) {
       motion.step = *last;
     } else {
-      const LocalField::Choice choice = field_.next(at, *way, s, top, orders);
+      const LocalField::Choice choice = field_.next(at, *way, s, top, orders, sides);
       if (choice.is_met) return ends(LocalEnd::met, choice.met);
       motion.step = choice.step;
       motion.pushed_by = choice.pushed_by;
@@ -159,6 +161,7 @@ LocalDriver::Meeting LocalDriver::drive(LocalDrive& all, FreeState at, const std
     }
     motion.best = best;
     motion.since = since;
+    motion.sides = sides;
     all.driven.push_back(motion);
     at = motion.step.after;
     // Who gets no farther: because of what stands in the way, out of sight of it, or thrown about.

@@ -23,6 +23,7 @@ struct LocalDriven {
   double off = 0.0;       ///< m from it
   std::size_t pushed_by = LocalField::nobody, kept_by = LocalField::nobody;
   double best = 0.0, since = 0.0;  ///< m, the farthest along this way, and s, since when: of the state before
+  LocalField::Sides sides;         ///< after it
 };
 
 /// A way planned anew: when, where, why.

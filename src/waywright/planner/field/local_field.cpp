@@ -14,6 +14,8 @@ constexpr double least_reach = 0.03;    // m: ways with less room than that are 
 constexpr double look_step = 0.2;       // s
 constexpr int directions = 16;
 constexpr double comfortable = 0.25;    // m beside what moves
+constexpr double middle_within = 0.05;  // m: met in the middle
+constexpr double turned_aside = 0.6;    // of what pushes back
 constexpr double for_contact = 8.0, for_nearness = 0.5;  // weights, of contact at once against driving another way altogether
 
 double bow(const FreeStep& step) {
@@ -59,27 +61,28 @@ std::size_t LocalField::met_on(const FreeState& from, const FreeStep& step, cons
   return nobody;
 }
 
-Vec2 LocalField::push(std::size_t i, const FreeState& from, Vec2 along, const std::vector<LocalOrder>& orders) const {
-  const double reach = options_.moving_reach;
+/// On which side of an obstacle to pass, seen along `axis`: where there is room; else on the side where it is already; from the middle to the right.
+signed char LocalField::side_of(std::size_t i, Vec2 disc, double t, Vec2 axis, Vec2 along) const {
+  const MovingObstacle& obstacle = movers_.obstacle(i);
+  const Vec2 there = obstacle.at(t).position(), left = left_of(axis);
+  const double aside = obstacle.footprint.radius() + space_.needed() + obstacle.spread * t + 0.5 * comfortable;
+  const bool is_left_free = space_.is_free(there + aside * left), is_right_free = space_.is_free(there - aside * left);
+  if (is_left_free != is_right_free) return is_left_free ? 1 : -1;
+  const double lateral = dot(disc - there, left);
+  if (std::abs(lateral) > middle_within) return lateral > 0.0 ? 1 : -1;
+  return dot(left_of(along), left) > 0.0 ? -1 : 1;
+}
+
+Vec2 LocalField::push(std::size_t i, const FreeState& from, Vec2 along, const std::vector<LocalOrder>& orders, signed char& side) const {
+  const double reach = options_.moving_reach, most = 2.0 * motion_.top_speed(), fast = norm(along);
   const auto strength = [&](double gap) {
     const double rho = std::max(gap, 0.05);
-    return rho < reach ? options_.moving_repulsion * (1.0 / rho - 1.0 / reach) / (rho * rho) : 0.0;
+    return rho < reach ? std::min(most, options_.moving_repulsion * (1.0 / rho - 1.0 / reach) / (rho * rho)) : 0.0;
   };
-  const double most = 2.0 * motion_.top_speed();
-  // As it is now …
   const Movers::Near now = movers_.at(i, from.at, from.t, reach);
-  Vec2 all{};
-  const auto away = [&](Vec2 point, Vec2 disc) {
-    const Vec2 off = disc - point;
-    const double n = norm(off);
-    return n > 1e-9 ? (1.0 / n) * off : left_of(unit(from.course));
-  };
-  if (now.gap < reach) all = std::min(most, strength(now.gap)) * away(now.point, from.at);
-  // … and where they would be nearest, were the wanted velocity kept: to the side of its way that is the nearer one.
-  const double fast = norm(along);
-  if (!(fast > 0.0)) return all;
+  // Where they would be nearest, were the wanted velocity kept.
   double least = reach, when = -1.0;
-  for (double ahead = look_step; ahead <= options_.horizon; ahead += look_step) {
+  for (double ahead = look_step; fast > 0.0 && ahead <= options_.horizon; ahead += look_step) {
     const double gap = movers_.gap(i, from.at + ahead * along, from.t + ahead, reach);
     if (gap < least) {
       least = gap;
@@ -87,27 +90,36 @@ Vec2 LocalField::push(std::size_t i, const FreeState& from, Vec2 along, const st
     }
     if (gap < -0.2) break;
   }
-  if (when < 0.0) return all;
-  const Vec2 meeting = from.at + when * along, theirs = movers_.velocity(i, from.t + when);
-  const Vec2 relative = along - theirs, off = meeting - movers_.obstacle(i).at(from.t + when).position();
-  const Vec2 axis = norm(relative) > 1e-6 ? (1.0 / norm(relative)) * relative : (1.0 / fast) * along;
-  const Vec2 side = left_of(axis);
-  double lateral = dot(off, side);
-  // Met in the middle: to the right, unless the left has more room.
-  if (std::abs(lateral) < 0.05) {
-    const Vec2 right = -1.0 * left_of((1.0 / fast) * along);
-    const double wide = 2.0 * (space_.disc() + 0.3);
-    const double room_right = std::min(space_.at_least(meeting + wide * right), wide), room_left = std::min(space_.at_least(meeting - wide * right), wide);
-    lateral = dot(room_left > room_right + 0.1 ? -1.0 * right : right, side) > 0.0 ? 1.0 : -1.0;
+  if (when < 0.0 && !(now.gap < reach)) {
+    side = 0;
+    return {};
   }
+  // As it is now: radially off.
+  Vec2 all{};
+  if (now.gap < reach) {
+    const Vec2 off = from.at - now.point;
+    const double n = norm(off);
+    all = strength(now.gap) * (n > 1e-9 ? (1.0 / n) * off : left_of(unit(from.course)));
+  }
+  if (!(fast > 0.0)) return all;
+  const double t = from.t + std::max(when, 0.0);
+  const Vec2 meeting = from.at + std::max(when, 0.0) * along, relative = along - movers_.velocity(i, t);
+  const Vec2 ahead = (1.0 / fast) * along, axis = norm(relative) > 0.05 ? (1.0 / norm(relative)) * relative : ahead;
+  if (side == 0 && when >= 0.0) side = side_of(i, meeting, t, axis, along);
+  double sign = side;
   for (const LocalOrder& order : orders) {
-    if (order.kind == LocalOrder::Kind::other_side && order.obstacle == i && from.t >= order.from && from.t <= order.until) lateral = -lateral;
+    if (order.kind == LocalOrder::Kind::other_side && order.obstacle == i && from.t >= order.from && from.t <= order.until) sign = -sign;
   }
-  const double weight = 1.0 - when / (options_.horizon + look_step);
-  return all + (weight * std::min(most, strength(least)) * (lateral > 0.0 ? 1.0 : -1.0)) * side;
+  // What pushes back is turned to that side, as far as it is in the way: who would only be pushed back gets past.
+  const double back = -dot(all, ahead);
+  const Vec2 aside = sign * left_of(axis);
+  if (back > 0.0 && sign != 0.0) all = all + (turned_aside * back) * (ahead + aside);
+  // As it will be: to that side, the more the sooner.
+  if (when >= 0.0) all = all + ((1.0 - when / (options_.horizon + look_step)) * strength(least)) * aside;
+  return all;
 }
 
-LocalField::Wanted LocalField::wanted(const FreeState& from, const WayAhead& way, double s, double top, const std::vector<LocalOrder>& orders) const {
+LocalField::Wanted LocalField::wanted(const FreeState& from, const WayAhead& way, double s, double top, const std::vector<LocalOrder>& orders, Sides& sides) const {
   Wanted all;
   const bool holds = std::any_of(orders.begin(), orders.end(), [&](const LocalOrder& o) { return o.kind == LocalOrder::Kind::hold && from.t >= o.from && from.t < o.until; });
   double target = std::min(way.length(), s + options_.look_ahead);
@@ -134,7 +146,7 @@ LocalField::Wanted LocalField::wanted(const FreeState& from, const WayAhead& way
   }
   double greatest = 0.0;
   for (std::size_t i = 0; i < movers_.size(); ++i) {
-    const Vec2 off = push(i, from, holds ? Vec2{} : along, orders);
+    const Vec2 off = push(i, from, holds ? Vec2{} : along, orders, sides[i]);
     all.velocity = all.velocity + off;
     if (norm(off) > greatest) {
       greatest = norm(off);
@@ -185,8 +197,8 @@ LocalField::Outlook LocalField::outlook(const FreeState& from, Vec2 velocity, do
   return out;
 }
 
-LocalField::Choice LocalField::next(const FreeState& from, const WayAhead& way, double s, double top, const std::vector<LocalOrder>& orders) const {
-  const Wanted asked = wanted(from, way, s, top, orders);
+LocalField::Choice LocalField::next(const FreeState& from, const WayAhead& way, double s, double top, const std::vector<LocalOrder>& orders, Sides& sides) const {
+  const Wanted asked = wanted(from, way, s, top, orders, sides);
   Choice choice;
   choice.pushed_by = asked.pushed_by;
   choice.is_lost = asked.is_lost;

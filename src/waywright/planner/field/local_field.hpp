@@ -46,8 +46,10 @@ class LocalField {
     std::size_t met = nobody;        ///< … namely of this one
     bool is_lost = false;            ///< the way is out of sight
   };
+  /// On which side each of what moves is passed, once that is settled: 1 with it to the right, −1 to the left, 0 not settled; an element for each.
+  using Sides = std::vector<signed char>;
   /// The next motion from a state. `s`: where along the way the vehicle is; `top`: m/s.
-  Choice next(const FreeState& from, const WayAhead& way, double s, double top, const std::vector<LocalOrder>& orders) const;
+  Choice next(const FreeState& from, const WayAhead& way, double s, double top, const std::vector<LocalOrder>& orders, Sides& sides) const;
   /// The last motions, onto the end of the way; empty where they cannot be driven, or are not clear.
   std::optional<FreeStep> arrive(const FreeState& from, Vec2 goal, double top) const;
 
@@ -57,8 +59,9 @@ class LocalField {
     std::size_t pushed_by = nobody;
     bool is_lost = false;
   };
-  Wanted wanted(const FreeState& from, const WayAhead& way, double s, double top, const std::vector<LocalOrder>& orders) const;
-  Vec2 push(std::size_t i, const FreeState& from, Vec2 along, const std::vector<LocalOrder>& orders) const;
+  Wanted wanted(const FreeState& from, const WayAhead& way, double s, double top, const std::vector<LocalOrder>& orders, Sides& sides) const;
+  Vec2 push(std::size_t i, const FreeState& from, Vec2 along, const std::vector<LocalOrder>& orders, signed char& side) const;
+  signed char side_of(std::size_t i, Vec2 disc, double t, Vec2 axis, Vec2 along) const;
   struct Outlook {
     double clear = 0.0;            ///< s from now on, that it stays clear of what moves
     double least = 0.0;            ///< m, of gaps until then, at most what is comfortable
