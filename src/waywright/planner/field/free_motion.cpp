@@ -15,6 +15,7 @@ constexpr double brakes_over = 1.4;       // rad, from which on one that drives 
 constexpr double steers_within = 0.25;    // s
 constexpr double smooth_within = 0.5;     // s, of one whose curvature cannot jump
 constexpr double share_of_steering = 0.6; // of the angular acceleration; the rest is for speeding up and braking
+constexpr double tightest = 10.0;         // 1/m, that a way is bent while it is driven, also by vehicles without a limit
 constexpr double default_angular = 1.0;   // rad/s and rad/s², of turns on the spot, as the speed profile has it
 
 }  // namespace
@@ -116,7 +117,7 @@ FreeStep FreeMotion::towards(const FreeState& from, Vec2 wanted, double top, dou
     step.after.t = from.t + period;
     return step;
   }
-  const double most = std::min({curvature_, lateral_ / (fastest * fastest), angular_ / fastest});
+  const double most = std::min({tightest, curvature_, lateral_ / (fastest * fastest), angular_ / fastest});
   if (std::abs(off) < straight_under || goal == 0.0) off = 0.0;
   const double mean = step.length / period;
   if (!is_smooth_) {
@@ -142,7 +143,7 @@ FreeStep FreeMotion::onto(const FreeState& from, Vec2 goal, double top, double p
   const double away = distance(from.at, goal);
   const double off = shorter_turn(from.course, angle_of(goal - from.at));
   const bool stood = from.speed <= 0.0;
-  if (std::abs(off) > 0.5 && !(stood && any_way_)) return step;
+  if (std::abs(off) > 0.5 && !stood) return step;
   if (is_smooth_ && !stood && (std::abs(off) > 1e-7 || from.curvature != 0.0)) return step;
   if (stood && !any_way_ && std::abs(off) > 1e-7) {
     step.kind = FreeStep::Kind::turn;

@@ -120,6 +120,8 @@ class GlobalLocalPlanner::Ready {
     Alternative followed;
     followed.name = "global way, " + name;
     followed.outcome = fmt::format("{:.3f} m; it was followed under the local field.", drive.ways.front().length());
+    followed.cost = drive.ways.front().length();
+    followed.is_length = true;
     followed.poses = poses_of(drive.ways.front().points());
     planned.alternatives.push_back(std::move(followed));
     if (drive.ended != LocalEnd::goal) {

@@ -154,6 +154,7 @@ Scenario crowd(std::uint64_t seed, int people) {
 
 struct Tally {
   int solved = 0, by_field = 0;
+  double seconds = 0.0, metres = 0.0;  // driven, where solved
 };
 Tally crowds(int seeds, int people) {
   Tally tally;
@@ -168,12 +169,14 @@ Tally crowds(int seeds, int people) {
     if (result.plan.status == Status::solved) {
       ++tally.solved;
       tally.by_field += result.is_by_field ? 1 : 0;
-      expect_sound(result.plan);
+      tally.seconds += result.plan.metrics.travel_time;
+      tally.metres += result.plan.metrics.length;
+      if (std::getenv("GL_QUICK") == nullptr) expect_sound(result.plan);
     } else {
       EXPECT_FALSE(result.plan.reason.empty());
     }
   }
-  std::cout << people << " that move: solved " << tally.solved << " of " << seeds << ", by the field " << tally.by_field << "; " << seconds / seeds << " s a plan and proof, at most " << worst << " s\n";
+  std::cout << people << " that move: solved " << tally.solved << " of " << seeds << ", by the field " << tally.by_field << "; driven " << tally.metres / tally.solved << " m in " << tally.seconds / tally.solved << " s; " << seconds / seeds << " s a plan and proof, at most " << worst << " s\n";
   return tally;
 }
 
