@@ -25,6 +25,7 @@ using grid::failure;
 
 constexpr double beside_movers = 0.03;     // m: what bounds in time take beside what moves
 constexpr double way_step = 0.1;           // m, of the points that a way is followed along
+constexpr double room_for_sight = 0.1;     // m, that a shortest way keeps besides, where it can: around its bends nothing ahead is in sight
 constexpr double looks_for_zones = 0.25;   // m ahead, at least
 
 AnyPlanner planner_of(const GlobalLocalOptions& o) {
@@ -36,6 +37,18 @@ AnyPlanner planner_of(const GlobalLocalOptions& o) {
     case GlobalWay::harmonic: break;
   }
   return HarmonicPlanner{HarmonicOptions{.resolution = o.resolution}};
+}
+
+PlanningResult global_way(const GlobalLocalOptions& o, const AnyPlanner& planner, const Problem& problem, Budget& budget) {
+  if (o.global == GlobalWay::visibility) {
+    Scenario scenario = problem.scenario();
+    scenario.moving.clear();
+    scenario.clearance += room_for_sight;
+    if (const auto wider = Problem::prepare(std::move(scenario))) {
+      if (PlanningResult found = planner.plan(*wider, budget)) return found;
+    }
+  }
+  return planner.plan(problem, budget);
 }
 
 /// Points of a path without the runs at its ends.
@@ -68,7 +81,7 @@ class GlobalLocalPlanner::Ready {
   PlanningResult plan(const GlobalLocalOptions& options, Budget& budget) const {
     const Problem& problem = space_.problem();
     if (auto reason = nothing_to_plan(problem, "global_local")) return tl::unexpected{failure(Status::no_path, std::move(*reason))};
-    PlanningResult global = global_.plan(problem, budget);
+    PlanningResult global = global_way(options, global_, problem, budget);
     if (!global) return global;
     const std::string name{global_.name()};
     const auto start = plane_start(space_);
@@ -161,7 +174,7 @@ class GlobalLocalPlanner::Ready {
     for (const std::size_t i : standing) scenario.map.obstacles.push_back(movers.outline(i, at.t, 0.0));
     const auto from_here = Problem::prepare(std::move(scenario));
     if (!from_here) return std::nullopt;
-    const PlanningResult found = planner_of(options).plan(*from_here, budget);
+    const PlanningResult found = global_way(options, planner_of(options), *from_here, budget);
     if (!found) return std::nullopt;
     std::vector<Vec2> points = points_of(*from_here, found->path, 0.0, 0.0);
     if (points.empty()) return std::nullopt;

@@ -249,6 +249,78 @@ TEST(GlobalLocalPlanner, SaysWhereItIsMetInACorridorWithoutRoomOrWayBack) {
   EXPECT_FALSE(result.plan.path.pieces.empty());
 }
 
+TEST(GlobalLocalPlanner, FollowsEveryKindOfGlobalWay) {
+  struct Case {
+    GlobalWay global;
+    const char* name;
+    const char* world;
+  };
+  for (const Case& c : {Case{GlobalWay::harmonic, "harmonic", "APF-2"}, Case{GlobalWay::wavefront, "wavefront", "APF-2"}, Case{GlobalWay::visibility, "visibility_graph", "APF-2"},
+                        Case{GlobalWay::navigation, "navigation_function", "NF-S3"}, Case{GlobalWay::star_navigation, "star_navigation", "NF-ST"}}) {
+    Scenario s = world(c.world, 0);
+    s.moving = {walker({{0.0, make_pose(std::get<Pose>(s.mission).position() - Vec2{0.5, 0.0}, 0.0)}}, {-0.4, -0.2})};
+    GlobalLocalOptions options;
+    options.global = c.global;
+    const Result result = planned(s, options);
+    expect_sound(result.plan);
+    EXPECT_TRUE(result.is_by_field) << c.name;
+    EXPECT_TRUE(says(result.plan, c.name)) << c.name;
+  }
+  GlobalLocalOptions discs;  // what the global way cannot do is told as it tells it
+  discs.global = GlobalWay::navigation;
+  const Plan refused = planned(world("APF-2", 0), discs).plan;
+  EXPECT_EQ(refused.status, Status::no_path);
+  EXPECT_NE(refused.reason.find("each obstacle in a disc"), std::string::npos) << refused.reason;
+}
+
+// Where it begins in motion, and where the disc around the footprint cannot stand at the ends: what is driven there takes its time, too.
+TEST(GlobalLocalPlanner, KnowsWhenItsDriveBegins) {
+  Scenario s = hall(8.0, 14.0, differential(true), {1, 4, 0}, {13, 4, 0});
+  s.start_motion = {0.8, 0.0};
+  s.moving = {walker({{0.0, {6.0, 0.5, 0.0}}}, {0.0, 0.6}), walker({{0.0, {12.0, 4.2, 0.0}}}, {-0.7, 0.0})};
+  expect_sound(planned(s).plan);
+  s.start_motion = {};
+  s.vehicle = mecanum();
+  s.start = {0.3, 4, 0};  // 1 cm from the wall behind it, where it cannot turn
+  s.mission = Pose{13.7, 4, 0};
+  const Result result = planned(s);
+  expect_sound(result.plan);
+  EXPECT_TRUE(result.is_by_field);
+}
+
+// A pace is never over the fastest profile, and stands where it is told to.
+TEST(GlobalLocalPlanner, APaceIsKept) {
+  Scenario s = hall(4.0, 14.0, mecanum(), {1, 2, 0}, {13, 2, 0});
+  const Problem problem = Problem::prepare(s).value();
+  Path path;
+  path.pieces.push_back({Line{{1, 2}, {13, 2}}, 1, HeadingAlong{0.0, 0.0}});
+  const std::vector<Sample> samples = sample(path, problem.footprint().radius(), 5e-4);
+  Pace pace;
+  pace.places = {{2.0, 0.5}, {4.0, 0.3}, {5.0, 0.3}};
+  pace.waits = {{6.0, 40.0, 0}};
+  std::vector<Sample> fastest = samples;
+  assign_speed(fastest, problem.vehicle());
+  const Timed timed = timed_at_pace(problem, samples, {}, pace);
+  ASSERT_EQ(timed.samples.size(), samples.size() + 1);
+  for (std::size_t i = 0, k = 0; i < timed.samples.size(); ++i) {
+    const Sample& is = timed.samples[i];
+    if (i > 0 && is.s == timed.samples[i - 1].s) {
+      EXPECT_EQ(is.speed, 0.0);
+      EXPECT_EQ(is.t, 40.0);
+      EXPECT_NEAR(is.s, 6.0, 0.05);
+      continue;
+    }
+    EXPECT_LE(is.speed, fastest[k++].speed);
+    if (is.s >= 2.0 && is.s <= 4.0) {
+      EXPECT_LE(is.speed, std::sqrt(0.25 + (0.09 - 0.25) * (is.s - 2.0) / 2.0) + 1e-9) << is.s;
+    }
+    if (is.s >= 4.0 && is.s <= 5.0) {
+      EXPECT_NEAR(is.speed, 0.3, 1e-9);
+    }
+  }
+  EXPECT_EQ(timed.samples.back().speed, 0.0);
+}
+
 TEST(GlobalLocalPlanner, GoesAroundWhatComesToStandInTheWay) {
   Scenario s = hall(6.0, 14.0, mecanum(), {1, 3, 0}, {13, 3, 0});
   s.map.obstacles = {rectangle({6.0, 2.2}, {8.0, 2.8})};

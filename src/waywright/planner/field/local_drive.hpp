@@ -48,7 +48,7 @@ struct LocalDrive {
 struct LocalDriveOptions {
   int tries = 40;                 ///< at most
   int replans = 6;                ///< at most
-  std::int64_t steps = 200'000;   ///< in all
+  std::int64_t steps = 50'000;    ///< in all
   double patience = 10.0;         ///< s without getting on, where nothing that moves is the cause
   double longest_wait = 120.0;    ///< s without getting on, whatever the cause
 };
