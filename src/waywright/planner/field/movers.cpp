@@ -13,10 +13,7 @@ constexpr int corners = 24;
 }  // namespace
 
 Movers::Movers(const PlaneSpace& space, double beside) : obstacles_{space.problem().scenario().moving}, kept_{space.needed() + beside}, beside_{beside} {
-  for (const MovingObstacle& obstacle : obstacles_) {
-    radii_.push_back(obstacle.footprint.radius());
-    last_time_ = std::max(last_time_, obstacle.track.back().t);
-  }
+  for (const MovingObstacle& obstacle : obstacles_) radii_.push_back(obstacle.footprint.radius());
 }
 
 Movers::Near Movers::at(std::size_t i, Vec2 disc, double t, double cap) const {

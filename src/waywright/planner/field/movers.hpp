@@ -30,13 +30,11 @@ class Movers {
   bool stands(std::size_t i, double t, double seconds) const;
   /// A convex polygon about it as predicted for a time, `room` m and its spread wider, and as much as the disc keeps from it more than from what stands.
   Ring outline(std::size_t i, double t, double room) const;
-  /// s, of the last point of all tracks.
-  double last_time() const { return last_time_; }
 
  private:
   const std::vector<MovingObstacle>& obstacles_;
   std::vector<double> radii_;
-  double kept_, beside_, last_time_ = 0.0;
+  double kept_, beside_;
 };
 
 }  // namespace waywright
