@@ -22,7 +22,7 @@ json read(const std::filesystem::path& file) {
 }
 
 TEST_F(CommandLine, FieldsPlanTheirExamples) {
-  for (const char* name : {"mecanum_warehouse", "mecanum_discs", "point_stars"}) {
+  for (const char* name : {"mecanum_warehouse", "mecanum_discs", "point_stars", "mecanum_crossing"}) {
     const auto planned = run("plan " + examples + name + ".json -o " + name);
     ASSERT_EQ(planned.status, 0) << name << planned.out << planned.err;
     EXPECT_EQ(run(std::string{"verify "} + name + "/plan.json").status, 0) << name;
@@ -30,7 +30,39 @@ TEST_F(CommandLine, FieldsPlanTheirExamples) {
   const auto trapped = run("plan " + examples + "point_trap.json -o trap");
   EXPECT_EQ(trapped.status, 1);
   EXPECT_NE(trapped.out.find("trapped in a local minimum at (4.62"), std::string::npos) << trapped.out;
-  for (const char* other : {"harmonic", "wavefront", "visibility_graph"}) EXPECT_EQ(run("plan " + examples + "point_trap.json -o t --planner " + other).status, 0) << other;
+  for (const char* other : {"harmonic", "wavefront", "visibility_graph", "global_local"}) EXPECT_EQ(run("plan " + examples + "point_trap.json -o t --planner " + other).status, 0) << other;
+}
+
+// On a map of cells; with times of its own, which the file carries and commands keep; and honest where nothing serves.
+TEST_F(CommandLine, AGlobalWayUnderALocalFieldIsDrivenInTime) {
+  const auto on_cells = run("plan " + examples + "mecanum_warehouse.json --planner global_local -o cells");
+  ASSERT_EQ(on_cells.status, 0) << on_cells.out << on_cells.err;
+  EXPECT_EQ(on_cells.out.find("came to no end"), std::string::npos) << on_cells.out;
+  EXPECT_EQ(run("verify cells/plan.json").status, 0);
+  ASSERT_EQ(run("plan " + examples + "mecanum_crossing.json -o o").status, 0);
+  const json plan = read(folder_ / "o/plan.json");
+  EXPECT_EQ(plan["planner"]["name"], "global_local");
+  EXPECT_EQ(plan["meta"]["alternatives"][0]["name"], "global way, harmonic");
+  bool tells_nearest = false;
+  for (const json& sentence : plan["explanation"]) tells_nearest = tells_nearest || sentence.get<std::string>().find("Nearest to what moves: ") == 0;
+  EXPECT_TRUE(tells_nearest);
+  EXPECT_EQ(run("controls o/plan.json -o c").status, 0);
+  // Driven a second later than told, it is no longer proven: the times are what was shown to be clear.
+  json late = plan;
+  late["scenario"]["moving"][0]["track"] = json::array({{2.2, 5.8, 8.4}, {10.2, 5.8, 0.6}});
+  std::ofstream{folder_ / "late.json"} << late;
+  EXPECT_EQ(run("verify late.json").status, 1);
+  // Nobody gets past in a corridor that is as wide as the vehicle.
+  json narrow = plan["scenario"];
+  narrow["map"] = {{"polygons", {{"boundary", {{0, 0}, {20, 0}, {20, 1.2}, {0, 1.2}}}}}};
+  narrow["start"] = {1, 0.6, 0};
+  narrow["goal"] = {19, 0.6, 0};
+  narrow["moving"] = json::array({{{"name", "person"}, {"footprint", {{"disc", 0.3}}}, {"track", {{0, 19, 0.6}}}, {"velocity", {-0.5, 0}}}});
+  std::ofstream{folder_ / "narrow.json"} << narrow;
+  const auto met = run("plan narrow.json -o n");
+  EXPECT_EQ(met.status, 1) << met.err;
+  EXPECT_NE(met.out.find("unproven"), std::string::npos) << met.out;
+  EXPECT_NE(met.out.find("the local field came to no end either: person comes too near to the vehicle"), std::string::npos) << met.out;
 }
 
 // The heading along the path stands in the file, exactly; the samples follow it, their course is the way's.

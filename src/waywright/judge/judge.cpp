@@ -38,7 +38,7 @@ std::string joined(const std::vector<Violation>& violations) {
 }
 
 /// `waits`: among what moves, else as if nothing did.
-Plan made_of(const Problem& problem, Path path, const Proof& proof, bool waits, const std::atomic<bool>* cancel, std::span<const WantedWait> wanted) {
+Plan made_of(const Problem& problem, Path path, const Proof& proof, bool waits, const std::atomic<bool>* cancel, std::span<const WantedWait> wanted, const Pace* pace = nullptr) {
   Plan plan = empty_plan(problem);
   plan.certificate = proof.certificate;
   if (plan.certificate.tightest) plan.tightest_obstacle = problem.world().source_name(plan.certificate.tightest_source);
@@ -70,13 +70,18 @@ Plan made_of(const Problem& problem, Path path, const Proof& proof, bool waits, 
   if (!waits || problem.scenario().moving.empty() || violation || is_canceled) {
     assign_speed(plan.samples, vehicle, motion ? motion->speed : 0.0, timing, along);
   } else {
-    Timed timed = timed_past_moving(problem, plan.samples, along, tolerance, wanted, cancel);
+    std::optional<Timed> paced;
+    if (pace != nullptr) {
+      paced = timed_at_pace(problem, plan.samples, along, *pace);
+      if (!check_in_time(problem, paced->samples, tolerance).empty()) paced.reset();
+    }
+    Timed timed = paced ? std::move(*paced) : timed_past_moving(problem, plan.samples, along, tolerance, wanted, cancel);
     plan.samples = std::move(timed.samples);
     plan.waits = std::move(timed.waits);
     plan.hindrance = timed.hindrance;
     if (plan.hindrance) {
       fail(hindrance_sentence(problem, *plan.hindrance));
-    } else {
+    } else if (!paced) {
       for (const Violation& meeting : check_in_time(problem, plan.samples, tolerance)) fail(meeting.sentence);
     }
   }
@@ -113,10 +118,10 @@ Plan failed_plan(const Problem& problem, const Failure& failure) {
   return plan;
 }
 
-Plan judge(const Problem& problem, Path path, const std::atomic<bool>* cancel, std::span<const WantedWait> wanted) {
+Plan judge(const Problem& problem, Path path, const std::atomic<bool>* cancel, std::span<const WantedWait> wanted, const Pace* pace) {
   double proven_in = 0.0;
   const Proof proof = proof_of(problem, path, cancel, proven_in);
-  Plan plan = made_of(problem, std::move(path), proof, true, cancel, wanted);
+  Plan plan = made_of(problem, std::move(path), proof, true, cancel, wanted, pace);
   plan.timing.prove = proven_in;
   return plan;
 }

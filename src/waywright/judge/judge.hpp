@@ -4,6 +4,7 @@
 #include <atomic>
 #include <span>
 
+#include "waywright/judge/pace.hpp"
 #include "waywright/judge/plan.hpp"
 #include "waywright/judge/waits.hpp"
 #include "waywright/scenario/problem.hpp"
@@ -14,7 +15,8 @@ namespace waywright {
 /// Nothing here knows of planners.
 /// Once `cancel` is raised, the plan ends as canceled, without samples.
 /// Among moving obstacles the times are those of timed_past_moving, with what waits are wanted; where there are none that serve, the plan is unproven and tells its hindrance.
-Plan judge(const Problem& problem, Path path, const std::atomic<bool>* cancel = nullptr, std::span<const WantedWait> wanted = {});
+/// `pace`: the planner's own times, which are taken where the proof in time holds for them.
+Plan judge(const Problem& problem, Path path, const std::atomic<bool>* cancel = nullptr, std::span<const WantedWait> wanted = {}, const Pace* pace = nullptr);
 /// The same with the fastest profile, whatever moves: what `verify` holds other times against.
 Plan judge_as_if_nothing_moved(const Problem& problem, Path path);
 /// judge() of a path that was proven elsewhere: samples, speed, metrics and status of it.

@@ -85,6 +85,7 @@ struct Wait {
   std::size_t obstacle = 0;   ///< index into the scenario's `moving`
   double ahead = 0.0;         ///< m of way from here to where the obstacle comes in the way
   bool stays = false;         ///< it has not passed: the way leads around it from here on
+  bool is_wanted = false;     ///< by the planner that found the way, not by the rule of waits.hpp: `ahead` is not told
 };
 
 /// What no timing of a path gets past.

@@ -11,6 +11,7 @@
 
 #include "waywright/core/budget.hpp"
 #include "waywright/core/result.hpp"
+#include "waywright/judge/pace.hpp"
 #include "waywright/judge/plan.hpp"
 #include "waywright/path/path.hpp"
 #include "waywright/scenario/problem.hpp"
@@ -26,6 +27,8 @@ struct Planned {
   std::optional<SearchPicture> search{};
   std::shared_ptr<const FieldDrawing> field{};  ///< that the path leads down
   bool begins_in_motion = false;          ///< the path begins at problem.first_pose(), though the vehicle moves there
+  std::optional<Pace> pace{};             ///< times that were planned with the way, among what moves
+  std::string shortcoming{};              ///< what belongs to the reason where the path turns out not to be proven
 };
 
 /// A failure keeps what was tried, so that the report can show it.

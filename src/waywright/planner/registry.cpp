@@ -7,6 +7,7 @@
 #include "waywright/planner/docking/pattern_docking.hpp"
 #include "waywright/planner/docking/published_docking.hpp"
 #include "waywright/planner/field/field_planner.hpp"
+#include "waywright/planner/field/global_local.hpp"
 #include "waywright/planner/field/harmonic_planner.hpp"
 #include "waywright/planner/field/wavefront_planner.hpp"
 #include "waywright/planner/grid/grid_planner.hpp"
@@ -155,6 +156,7 @@ const std::vector<PlannerDescription>& planners() {
     for (PlannerDescription& p : field_planner_descriptions()) list.push_back(std::move(p));
     list.push_back(wavefront_description());
     list.push_back(harmonic_description());
+    list.push_back(global_local_description());
     return list;
   }();
   return all;

@@ -45,7 +45,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
 
   Plan plan;
   if (result) {
-    plan = judge(problem, problem.whole_path(std::move(result->path), result->begins_in_motion), cancel);
+    plan = judge(problem, problem.whole_path(std::move(result->path), result->begins_in_motion), cancel, {}, result->pace ? &*result->pace : nullptr);
     plan.explanation = std::move(result->explanation);
     plan.alternatives = std::move(result->alternatives);
     plan.optimality = result->optimality;
@@ -68,6 +68,7 @@ Parsed<Plan> solve(const Problem& problem, const std::atomic<bool>* cancel) {
         plan = std::move(failed);
       }
     }
+    if (plan.status == Status::unproven && !result->shortcoming.empty()) plan.reason += (plan.reason.empty() ? "" : "; ") + result->shortcoming;
     explain_mission(problem, plan, plan.explanation);
     if (!plan.path.pieces.empty())
       plan.explanation.push_back(plan.status == Status::solved ? proof_sentence(problem, plan)

@@ -38,6 +38,7 @@ std::string wait_sentence(const Problem& problem, const Wait& wait) {
   const MovingObstacle& obstacle = problem.scenario().moving[wait.obstacle];
   const std::string who = one_line(title_of(obstacle, wait.obstacle));
   const std::string stop = wait.s > 0.0 ? fmt::format("After {:.1f} s, at s = {:.2f} m, the vehicle stops for {}", wait.from, wait.s, who) : fmt::format("The vehicle stands for {}", who);
+  if (wait.is_wanted) return stop + fmt::format(", and goes on after {:.1f} s.", wait.until);
   if (wait.stays) return stop + fmt::format(" and waits until {:.1f} s; then it goes around it.", wait.until);
   // From a motion it may be too late to stop as far away as the rule has it.
   const auto& motion = problem.motion();

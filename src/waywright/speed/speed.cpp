@@ -118,6 +118,7 @@ class Profile {
       const double cap = must_stand(a, b, vehicle) ? 0.0 : steps_.back().top;
       for (const std::size_t k : {i, i + 1}) caps_[k] = std::min(caps_[k], cap);
     }
+    for (std::size_t i = 0; i < along.samples.size(); ++i) caps_[i] = std::min(caps_[i], square(along.samples[i]));
     for (double& cap : caps_) {
       if (cap < square(creeping)) cap = 0.0;
     }

@@ -27,7 +27,7 @@ namespace waywright {
 double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double start_speed = 0.0);
 
 /// What holds along a path beside the vehicle's limits: greatest speeds in m/s, +∞ where there is none. `steps[i]` between samples i and
-/// i + 1; `samples[i]` at sample i alone, at least that of the steps beside it. Both empty: nothing.
+/// i + 1; `samples[i]` at sample i, beside those of its steps. Both empty: nothing.
 struct LimitsAlong {
   std::vector<double> steps, samples;
 };
