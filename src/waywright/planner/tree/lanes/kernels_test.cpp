@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -111,8 +112,7 @@ TEST(WhaleLanes, EveryInstructionSetGivesTheSameBits) {
       std::vector<double>& out = found.emplace_back();
       const auto keep = [&](const std::vector<double>& values, std::size_t count) { out.insert(out.end(), values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count)); };
       keep(d.x, agents), keep(d.y, agents), keep(d.factor, agents * iterations), keep(d.scale, agents * iterations);
-      std::vector<double> new_x(agents + spare), new_y(agents + spare);
-      std::vector<std::uint32_t> sifted(agents + spare);
+      std::vector<double> new_x(agents + spare), new_y(agents + spare), keys(agents + spare);
       std::size_t search = 0;
       for (std::size_t first = 0; first < agents * iterations; first += agents) {
         const std::size_t begin = search;
@@ -125,18 +125,15 @@ TEST(WhaleLanes, EveryInstructionSetGivesTheSameBits) {
         d.x.swap(new_x);
         d.y.swap(new_y);
         keep(d.x, agents), keep(d.y, agents);
-        Sifting sifting{.agents = agents, .x = d.x.data(), .y = d.y.data(), .per_radius = weight, .along_x = along, .along_y = -0.3, .most = 0.4 * radius, .found = sifted.data()};
-        kernels.sift(sifting);
-        for (std::size_t k = 0; k < sifting.found_count; ++k) out.push_back(sifted[k]);
-        std::size_t expected = 0;
+        Ranking ranking{.agents = agents, .x = d.x.data(), .y = d.y.data(), .per_radius = weight, .along_x = along, .along_y = -0.3, .keys = keys.data()};
+        kernels.rank(ranking);
+        keep(keys, agents);
+        out.push_back(static_cast<double>(ranking.least));
         for (std::size_t i = 0; i < agents; ++i) {
           EXPECT_LE(std::hypot(d.x[i], d.y[i]), radius * (1.0 + 1e-15));
-          const double cost = weight * std::hypot(d.x[i], d.y[i]) + along * d.x[i] - 0.3 * d.y[i];
-          if (std::abs(cost - sifting.most) < 1e-12) continue;
-          const bool is_found = expected < sifting.found_count && sifted[expected] == i;
-          EXPECT_EQ(is_found, cost < sifting.most) << cost;
-          expected += is_found ? 1 : 0;
+          EXPECT_NEAR(keys[i], weight * std::hypot(d.x[i], d.y[i]) + along * d.x[i] - 0.3 * d.y[i], 1e-14 * radius);
         }
+        EXPECT_EQ(ranking.least, std::min_element(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(agents)) - keys.begin());
       }
     }
     for (const std::vector<double>& other : found) ASSERT_EQ(other, found.front());
