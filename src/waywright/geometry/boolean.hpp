@@ -1,4 +1,4 @@
-// Union and difference of two simple polygons, by Boost.Geometry; every answer is checked by its area.
+// Union and difference of simple polygons, by Boost.Geometry; every answer is checked by its area.
 #pragma once
 
 #include <optional>
@@ -13,5 +13,17 @@ std::optional<Ring> joined(const Ring& a, const Ring& b);
 
 /// What of `a` is not in `b`: none, one or several rings. Empty where that has a hole.
 std::optional<std::vector<Ring>> without(const Ring& a, const Ring& b);
+
+/// An area with holes in it. Counter-clockwise rings, all of them.
+struct Region {
+  Ring outer;
+  std::vector<Ring> holes;
+};
+
+/// The area of all together, in pieces that are apart. Empty where rounding spoils it.
+std::optional<std::vector<Region>> united(const std::vector<Ring>& rings);
+
+/// What of `a` is in none of the others.
+std::optional<std::vector<Region>> without(const Ring& a, const std::vector<Ring>& others);
 
 }  // namespace waywright

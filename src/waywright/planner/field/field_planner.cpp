@@ -97,10 +97,10 @@ class FieldPlanner::Ready {
                                  options.potential.attraction, options.potential.conic_from, options.potential.reach, options.potential.repulsion, counted(descent.steps, "step"),
                                  options.descent.speed * options.descent.period));
     } else if (options.method == FieldMethod::star) {
-      const auto world = star_world(space_);
+      const auto world = star_world(space_, start->at, goal->at);
       if (!world) {
         budget.count_evaluations();
-        return tl::unexpected{failure(Status::no_path, "a world of stars needs obstacles that are each seen whole from a place in them, apart from each other: " + world.error())};
+        return tl::unexpected{failure(Status::no_path, "the world cannot be seen as one of stars: " + world.error())};
       }
       descent = down_star_navigation(options, *world, start->at, goal->at, most, text, budget);
     } else {
@@ -249,11 +249,17 @@ class FieldPlanner::Ready {
         text.push_back("No whole κ from 2 to 20 was shown to leave no minimum but the goal in the model; some are tried.");
       }
     }
-    const RimDistance rims{space_};
+    if (!world.purges.empty()) {
+      const auto least = std::min_element(world.purges.begin(), world.purges.end(), [](const LeafPurge& a, const LeafPurge& b) { return a.collar() < b.collar(); });
+      text.push_back(fmt::format("Obstacles or the boundary are trees of stars: {} drawn in first, one after another, each with the free space within {:.2g} times of how far its leaf reaches, or more.",
+                                 world.purges.size() == 1 ? "one leaf is" : fmt::format("{} leaves are", world.purges.size()), least->collar()));
+    }
+    const RimDistance rims{space_, world};
     const auto down = [&](double kappa) {
       const StarNavigation navigation{world, goal, lambda, kappa};
-      const auto off = [&](Vec2 q) { return saddle_direction(navigation, q); };
-      const Slope slope{[&](Vec2 q) { return navigation.slope(q); }, [&](Vec2 q) { return rims.at(q); }, off, goal, world.outside.greatest_rim(), world.obstacles.size()};
+      const bool has_trees = !world.purges.empty();
+      const auto off = [&](Vec2 q) { return has_trees ? navigation.way_off_from(q) : saddle_direction(navigation, q); };
+      const Slope slope{[&](Vec2 q) { return has_trees ? navigation.uphill(q) : navigation.slope(q); }, [&](Vec2 q) { return rims.at(q); }, off, goal, world.outside.greatest_rim(), world.obstacles.size()};
       return follow(slope, start, options, most, budget);
     };
     const Chosen chosen = best_of(kappas, down, [&](Vec2 q) { return rims.at(q); }, budget);
