@@ -121,6 +121,4 @@ Vec2 LeafPurge::back(Vec2 q) const {
   return leaf_[0] + (s * length_ + h * (slope_ + s * spread_)) * along_ + h * left_of(along_);
 }
 
-bool LeafPurge::holds(Vec2 q) const { return local(q).h > 0.0 && contains(leaf_, q); }
-
 }  // namespace waywright

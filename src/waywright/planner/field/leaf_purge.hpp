@@ -40,8 +40,8 @@ class LeafPurge {
   PlaneImage at(Vec2 q) const;
   /// The place that is taken there.
   Vec2 back(Vec2 q) const;
-  /// In the leaf or on its rim, but not on the cut.
-  bool holds(Vec2 q) const;
+  /// In the leaf or on its rim or on the cut, which is within what is blocked before it is drawn in.
+  bool holds(Vec2 q) const { return contains(leaf_, q); }
   const Ring& leaf() const { return leaf_; }
 
  private:

@@ -1,0 +1,211 @@
+// Trees of stars: what is cut, what draws leaves in, and the map of all to discs.
+#include "waywright/planner/field/star_trees.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "waywright/core/random.hpp"
+#include "waywright/geometry/convex_partition.hpp"
+#include "waywright/geometry/obstacle_index.hpp"
+#include "waywright/planner/field/free_region.hpp"
+#include "waywright/planner/field/star_world.hpp"
+
+namespace waywright {
+namespace {
+
+const Ring hall = rectangle({0, 0}, {10, 10});
+const Ring u{{3, 3}, {5.4, 3}, {5.4, 7}, {3, 7}, {3, 6.6}, {5, 6.6}, {5, 3.4}, {3, 3.4}};
+const Ring l{{2, 2}, {6, 2}, {6, 2.5}, {2.5, 2.5}, {2.5, 7}, {2, 7}};
+const Ring t{{3, 7}, {3, 6.5}, {4.8, 6.5}, {4.8, 3}, {5.2, 3}, {5.2, 6.5}, {7, 6.5}, {7, 7}};
+const Ring s{{3, 3}, {7, 3}, {7, 5.3}, {3.5, 5.3}, {3.5, 7}, {7, 7}, {7, 7.5}, {3, 7.5}, {3, 4.8}, {6.5, 4.8}, {6.5, 3.5}, {3, 3.5}};
+
+/// A bar with teeth.
+Ring comb(int teeth, double wide, double gap, double deep) {
+  Ring ring{{1, 2}, {1 + teeth * wide + (teeth - 1) * gap, 2}};
+  for (int i = teeth; i-- > 0;) {
+    const double left = 1 + i * (wide + gap);
+    for (const Vec2 p : {Vec2{left + wide, 3 + deep}, Vec2{left, 3 + deep}}) ring.push_back(p);
+    if (i > 0) {
+      ring.push_back({left, 3});
+      ring.push_back({left - gap, 3});
+    }
+  }
+  return ring;
+}
+
+/// A corridor wound inwards, as a wall.
+Ring spiral(int turns) {
+  std::vector<Vec2> middle;
+  Vec2 at{5, 5};
+  double along = 0.6;
+  for (int i = 0; i <= turns; ++i) {
+    middle.push_back(at);
+    const Vec2 ways[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    at = at + along * ways[i % 4];
+    if (i % 2 == 1) along += 0.6;
+  }
+  constexpr double half = 0.1;
+  Ring right, left;
+  for (std::size_t i = 0; i < middle.size(); ++i) {
+    const Vec2 in = i > 0 ? middle[i] - middle[i - 1] : middle[1] - middle[0], out = i + 1 < middle.size() ? middle[i + 1] - middle[i] : in;
+    const Vec2 a = (1.0 / norm(in)) * in, b = (1.0 / norm(out)) * out, n = i == 0 || i + 1 == middle.size() ? left_of(a) : left_of(a) + left_of(b);
+    left.push_back(middle[i] + half * n);
+    right.push_back(middle[i] - half * n);
+  }
+  right.insert(right.end(), left.rbegin(), left.rend());
+  return right;
+}
+
+/// A simple polygon of any shape: places in order of angle, at any distance, then bent along a wave.
+Ring wild(Random& random, Vec2 centre, double size, int corners) {
+  Ring ring;
+  for (int i = 0; i < corners; ++i) ring.push_back(centre + random.uniform(0.25, 1.0) * size * unit(two_pi * (i + random.uniform(0.0, 0.8)) / corners));
+  return ring;
+}
+
+TEST(ConvexPartition, PartsAreConvexAndAddUpToTheRing) {
+  Random random{3};
+  std::vector<Ring> rings{u, l, t, s, comb(5, 0.4, 0.6, 3), spiral(9)};
+  for (int i = 0; i < 300; ++i) rings.push_back(wild(random, {5, 5}, 3, static_cast<int>(random.integer(3, 40))));
+  for (const Ring& ring : rings) {
+    const auto partition = convex_partition(ring);
+    ASSERT_TRUE(partition);
+    double area = 0.0;
+    for (const auto& corners : partition->parts) {
+      Ring part;
+      for (const std::size_t c : corners) part.push_back(ring[c]);
+      EXPECT_TRUE(is_convex(part));
+      area += signed_area(part);
+    }
+    EXPECT_NEAR(area, signed_area(ring), 1e-9);
+    EXPECT_EQ(partition->cuts.size() + 1, partition->parts.size());
+    std::size_t inward = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 a = ring[(i + ring.size() - 1) % ring.size()], b = ring[i], c = ring[(i + 1) % ring.size()];
+      inward += cross(b - a, c - b) < 0.0 ? 1 : 0;
+    }
+    EXPECT_LE(partition->parts.size(), 2 * inward + 1);
+  }
+  EXPECT_EQ(convex_partition(u)->parts.size(), 3u);
+  EXPECT_EQ(convex_partition(l)->parts.size(), 2u);
+}
+
+TEST(LeafPurge, IsOneToOneAndItsJacobianIsThatOfDifferences) {
+  Random random{7};
+  const Ring leaf{{0, 0}, {0.5, 0}, {0.6, 1.5}, {0.3, 2.0}, {-0.1, 1.2}};
+  for (const auto& [slope_a, slope_b] : {std::pair{-0.6, 0.7}, std::pair{-1.5, 0.2}, std::pair{-0.2, 0.15}, std::pair{-0.3, 3.0}}) {
+    auto purge = LeafPurge::of(leaf, slope_a, slope_b);
+    ASSERT_TRUE(purge);
+    purge->set_collar(std::min(0.6, 0.7 * (purge->reach() - 1.0)));
+    int looked = 0, moved = 0, off = 0;
+    while (looked < 20'000) {
+      const Vec2 q{random.uniform(-2, 2.5), random.uniform(-0.5, 4)};
+      if (contains(leaf, q)) continue;
+      ++looked;
+      const PlaneImage image = purge->at(q);
+      EXPECT_GT(image.determinant(), 0.0);
+      EXPECT_LT(distance(purge->back(image.at), q), 1e-9);
+      if (image.at == q) continue;
+      ++moved;
+      constexpr double h = 1e-7;
+      const Vec2 dx = (0.5 / h) * (purge->at(q + Vec2{h, 0}).at - purge->at(q - Vec2{h, 0}).at), dy = (0.5 / h) * (purge->at(q + Vec2{0, h}).at - purge->at(q - Vec2{0, h}).at);
+      const double size = 1.0 + std::abs(image.xx) + std::abs(image.xy) + std::abs(image.yx) + std::abs(image.yy);
+      off += std::abs(image.xx - dx.x) + std::abs(image.yx - dx.y) + std::abs(image.xy - dy.x) + std::abs(image.yy - dy.y) > 1e-4 * size ? 1 : 0;
+    }
+    EXPECT_GT(moved, 500);
+    EXPECT_LE(off, 5);  // at bends of the rim
+    // The rim goes to the cut, its ends stay.
+    for (std::size_t i = 1; i < leaf.size(); ++i) {
+      for (double share = 0.0; share <= 1.0; share += 0.01) {
+        const Vec2 at = purge->at(leaf[i] + share * (leaf[(i + 1) % leaf.size()] - leaf[i])).at;
+        EXPECT_LT(std::abs(at.y), 1e-9);
+        EXPECT_TRUE(at.x > -1e-9 && at.x < 0.5 + 1e-9);
+      }
+    }
+  }
+}
+
+TEST(LeafPurge, LinesThatMeetInTheLeafAreNone) {
+  const Ring leaf{{0, 0}, {0.5, 0}, {0.5, 2.0}, {0, 2.0}};
+  EXPECT_FALSE(LeafPurge::of(leaf, 0.2, -0.2));
+  EXPECT_FALSE(LeafPurge::of(leaf, 0.0, 0.0));  // along its sides
+  EXPECT_TRUE(LeafPurge::of(leaf, -0.1, 0.1));
+}
+
+/// The world that trees of stars become, with the rims that they had.
+StarWorld world_of(const Ring& outside, const std::vector<Ring>& obstacles) {
+  auto trees = star_trees(outside, obstacles);
+  EXPECT_TRUE(trees) << (trees ? "" : trees.error());
+  const auto centre = [](const Ring& ring) { return largest_circle_in(kernel_of(ring)).centre; };
+  StarWorld world{{trees->outside, centre(trees->outside), 0.0, true}, {}, trees->purges, {outside}};
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    world.obstacles.emplace_back(trees->stars[i], centre(trees->stars[i]), 0.0, false);
+    world.rims.push_back(obstacles[i]);
+  }
+  return world;
+}
+
+struct Case {
+  const char* name;
+  Ring outside;
+  std::vector<Ring> obstacles;
+  Vec2 goal;
+};
+std::vector<Case> cases() {
+  const Ring u_hall{{0, 0}, {10, 0}, {10, 10}, {7, 10}, {7, 3}, {3, 3}, {3, 10}, {0, 10}};
+  const Ring h_hall{{0, 0}, {3, 0}, {3, 4}, {7, 4}, {7, 0}, {10, 0}, {10, 10}, {7, 10}, {7, 6}, {3, 6}, {3, 10}, {0, 10}};
+  return {{"U", hall, {u}, {8.5, 5}},
+          {"U, goal in it", hall, {u}, {3.5, 5}},
+          {"T and L", hall, {t, {{1, 1}, {3, 1}, {3, 1.4}, {1.4, 1.4}, {1.4, 3}, {1, 3}}}, {8.5, 5}},
+          {"S", hall, {s}, {5, 6.2}},
+          {"comb", hall, {comb(5, 0.4, 0.6, 3)}, {8.5, 8}},
+          {"spiral of 6", hall, {spiral(6)}, {9, 9}},
+          {"U hall", u_hall, {}, {8.5, 9}},
+          {"H hall", h_hall, {{{4, 4.8}, {4.4, 4.8}, {4.4, 5.2}, {4, 5.2}}}, {8.5, 9}}};
+}
+
+TEST(StarTrees, TheMapToDiscsDoesNotFoldAndTakesRimsToCircles) {
+  for (const Case& c : cases()) {
+    const StarWorld world = world_of(c.outside, c.obstacles);
+    const ChosenLambda chosen = choose_lambda(world, c.goal);
+    EXPECT_TRUE(chosen.is_shown) << c.name;
+    const StarMap map{world, c.goal, chosen.lambda};
+    double least = 1e300, least_collar = 1e300, worst = 0.0;
+    for (const LeafPurge& purge : world.purges) least_collar = std::min(least_collar, purge.collar());
+    int looked = 0, folds = 0;
+    const auto look = [&](Vec2 q) {
+      bool is_free = contains(c.outside, q);
+      for (const Ring& ring : c.obstacles) is_free = is_free && !contains(ring, q);
+      EXPECT_EQ(map.is_free(q), is_free) << c.name << " " << q.x << ", " << q.y;
+      if (!is_free) return;
+      ++looked;
+      const double det = map.at(q).determinant();
+      least = std::min(least, det);
+      folds += det > 0.0 ? 0 : 1;
+    };
+    for (int j = 0; j < 140; ++j) {
+      for (int i = 0; i < 140; ++i) look({10.0 * (i + 0.5) / 140, 10.0 * (j + 0.5) / 140});
+    }
+    const auto along = [&](const Ring& ring, double out, const Disc& disc) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()], normal = (-1.0 / distance(a, b)) * left_of(b - a);
+        for (double share = 0.005; share < 1.0; share += 0.01) {
+          const Vec2 on = a + share * (b - a);
+          for (const double off : {1e-6, 1e-4, 1e-2}) look(on + out * off * normal);
+          worst = std::max(worst, std::abs(distance(map.at(on).at, disc.centre) - disc.radius));
+        }
+      }
+    };
+    along(c.outside, -1.0, map.model().outside);
+    for (std::size_t i = 0; i < c.obstacles.size(); ++i) along(c.obstacles[i], 1.0, map.model().obstacles[i]);
+    EXPECT_EQ(folds, 0) << c.name;
+    EXPECT_LT(worst, 1e-6) << c.name;
+    std::printf("%s: %zu leaves, narrowest collar %.3g, lambda %g, least det J %.3g at %d places, rims off by %.2g\n", c.name, world.purges.size(), least_collar, chosen.lambda, least, looked, worst);
+  }
+}
+
+}  // namespace
+}  // namespace waywright
