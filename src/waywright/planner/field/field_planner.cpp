@@ -97,12 +97,13 @@ class FieldPlanner::Ready {
                                  options.potential.attraction, options.potential.conic_from, options.potential.reach, options.potential.repulsion, counted(descent.steps, "step"),
                                  options.descent.speed * options.descent.period));
     } else if (options.method == FieldMethod::star) {
-      const auto world = star_world(space_, start->at, goal->at);
+      const auto world = stars_or_trees(space_, start->at, goal->at);
       if (!world) {
         budget.count_evaluations();
         return tl::unexpected{failure(Status::no_path, "the world cannot be seen as one of stars: " + world.error())};
       }
-      descent = down_star_navigation(options, *world, start->at, goal->at, most, text, budget);
+      if (const auto* trees = std::get_if<TreeMap>(&*world)) descent = down_tree_navigation(options, *trees, start->at, goal->at, most, text, budget);
+      else descent = down_star_navigation(options, std::get<StarWorld>(*world), start->at, goal->at, most, text, budget);
     } else {
       const auto covering = covering_world(space_, start->at, goal->at);
       if (!covering) {
@@ -177,13 +178,19 @@ class FieldPlanner::Ready {
 
   /// A field to be followed by steps of one length, shorter near rims.
   struct Slope {
-    std::function<Vec2(Vec2)> slope;       ///< points uphill; of any length
+    std::function<std::optional<Vec2>(Vec2, double)> step;  ///< where it leads from there, by so many m; empty where it leads nowhere
     std::function<double(Vec2)> rim;       ///< m, to the nearest rim
     std::function<std::optional<Vec2>(Vec2)> off;  ///< from a saddle
     Vec2 goal{};
     double radius = 1.0;      ///< m, of the world: what steps are measured by
     std::size_t saddles = 0;  ///< that there may be
   };
+
+  static std::optional<Vec2> along(Vec2 way, Vec2 q, double long_) {
+    const double steep = norm(way);
+    if (!(steep > 0.0) || !std::isfinite(steep)) return std::nullopt;
+    return q + (long_ / steep) * way;
+  }
 
   /// Who runs into a saddle leaves it to a side.
   static Descent follow(const Slope& field, Vec2 start, const FieldPlannerOptions& options, std::int64_t most, Budget& budget) {
@@ -198,10 +205,8 @@ class FieldPlanner::Ready {
     const auto down = [&](Vec2 q) -> std::optional<FieldStep> {
       const double rim = field.rim(q);
       if (!(rim > 0.0)) return std::nullopt;
-      const Vec2 slope = field.slope(q);
-      const double steep = norm(slope);
-      if (!(steep > 0.0) || !std::isfinite(steep)) return FieldStep{};
-      return FieldStep{(-std::clamp(rim_share * rim, shortest_step * field.radius, steps.speed) / steep) * slope, 0.0};
+      const auto next = field.step(q, std::clamp(rim_share * rim, shortest_step * field.radius, steps.speed));
+      return next ? FieldStep{*next - q, 0.0} : FieldStep{};
     };
     Descent all;
     all.points = {start};
@@ -226,7 +231,7 @@ class FieldPlanner::Ready {
   }
 
   static Descent follow(const NavigationFunction& function, Vec2 start, const FieldPlannerOptions& options, std::int64_t most, Budget& budget) {
-    return follow(Slope{[&](Vec2 q) { return function.slope(q); }, [&](Vec2 q) { return function.distance_to_rim(q); }, [&](Vec2 q) { return way_off(function.curvature(q)); }, function.goal(),
+    return follow(Slope{[&](Vec2 q, double long_) { return along(-function.slope(q), q, long_); }, [&](Vec2 q) { return function.distance_to_rim(q); }, [&](Vec2 q) { return way_off(function.curvature(q)); }, function.goal(),
                         function.world().outside.radius, function.world().obstacles.size()},
                   start, options, most, budget);
   }
@@ -249,25 +254,46 @@ class FieldPlanner::Ready {
         text.push_back("No whole κ from 2 to 20 was shown to leave no minimum but the goal in the model; some are tried.");
       }
     }
-    if (!world.purges.empty()) {
-      const auto least = std::min_element(world.purges.begin(), world.purges.end(), [](const LeafPurge& a, const LeafPurge& b) { return a.collar() < b.collar(); });
-      text.push_back(fmt::format("Obstacles or the boundary are trees of stars: {} drawn in first, one after another, each with the free space within {:.2g} times of how far its leaf reaches, or more.",
-                                 world.purges.size() == 1 ? "one leaf is" : fmt::format("{} leaves are", world.purges.size()), least->collar()));
-    }
-    const RimDistance rims{space_, world};
+    const auto rim = [&](Vec2 q) { return distance_to_polygons(space_, q); };
     const auto down = [&](double kappa) {
       const StarNavigation navigation{world, goal, lambda, kappa};
-      const bool has_trees = !world.purges.empty();
-      const auto off = [&](Vec2 q) { return has_trees ? navigation.way_off_from(q) : saddle_direction(navigation, q); };
-      const Slope slope{[&](Vec2 q) { return has_trees ? navigation.uphill(q) : navigation.slope(q); }, [&](Vec2 q) { return rims.at(q); }, off, goal, world.outside.greatest_rim(), world.obstacles.size()};
+      const auto off = [&](Vec2 q) { return saddle_direction(navigation, q); };
+      const auto step = [&](Vec2 q, double long_) { return along(-navigation.slope(q), q, long_); };
+      const Slope slope{step, rim, off, goal, world.outside.greatest_rim(), world.obstacles.size()};
       return follow(slope, start, options, most, budget);
     };
-    const Chosen chosen = best_of(kappas, down, [&](Vec2 q) { return rims.at(q); }, budget);
+    const Chosen chosen = best_of(kappas, down, rim, budget);
     const double best_kappa = chosen.kappa;
     const Descent& best = chosen.descent;
     text.push_back(fmt::format("Down the navigation function of κ = {:g} on the world of discs that the map of λ = {:g} makes of {}: {}.", best_kappa, lambda,
                                counted(static_cast<std::int64_t>(world.obstacles.size()), "star"), counted(best.steps, "step")));
     return best;
+  }
+
+  /// No λ is needed: the map of trees cannot fold. κ as with stars.
+  Descent down_tree_navigation(const FieldPlannerOptions& options, const TreeMap& map, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, Budget& budget) const {
+    std::vector<double> kappas{options.kappa};
+    if (options.kappa == 0.0) {
+      kappas = kappas_that_lead_to_goal(map.model(), map.at(goal).at, [&] { return budget.exhausted(); });
+      if (kappas.empty()) {
+        kappas = usual_kappas;
+        text.push_back("No whole κ from 2 to 20 was shown to leave no minimum but the goal in the model; some are tried.");
+      }
+    }
+    const auto rim = [&](Vec2 q) { return map.distance_to_rim(q); };
+    const auto down = [&](double kappa) {
+      const TreeNavigation navigation{map, goal, kappa};
+      const auto step = [&](Vec2 q, double long_) { return std::optional{navigation.next(q, long_)}; };
+      const auto off = [&](Vec2 q) { return navigation.way_off(q); };
+      return follow(Slope{step, rim, off, goal, map.stars().back().disc().radius, map.model().obstacles.size()}, start, options, most, budget);
+    };
+    const Chosen chosen = best_of(kappas, down, rim, budget);
+    const auto leaves = static_cast<std::int64_t>(map.leaves().size());
+    text.push_back(fmt::format("Obstacles or the boundary are no stars, or too near to each other to pass between them: trees of stars, of which {} drawn in; then {} made to {} in a disc of {:.3f} m.",
+                               leaves == 1 ? "1 leaf is" : fmt::format("{} leaves are", leaves), map.model().obstacles.size() == 1 ? "the star is" : "the stars are",
+                               counted(static_cast<std::int64_t>(map.model().obstacles.size()), "disc"), map.model().outside.radius));
+    text.push_back(fmt::format("Down the navigation function of κ = {:g} on that world of discs, seen back: {}.", chosen.kappa, counted(chosen.descent.steps, "step")));
+    return chosen.descent;
   }
 
   /// By differences: which way the slope falls off most.

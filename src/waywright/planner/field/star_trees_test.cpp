@@ -11,7 +11,7 @@
 #include "waywright/geometry/convex_partition.hpp"
 #include "waywright/geometry/obstacle_index.hpp"
 #include "waywright/planner/field/free_region.hpp"
-#include "waywright/planner/field/star_world.hpp"
+#include "waywright/planner/field/tree_world.hpp"
 
 namespace waywright {
 namespace {
@@ -135,19 +135,6 @@ TEST(LeafPurge, LinesThatMeetInTheLeafAreNone) {
   EXPECT_TRUE(LeafPurge::of(leaf, -0.1, 0.1));
 }
 
-/// The world that trees of stars become, with the rims that they had.
-StarWorld world_of(const Ring& outside, const std::vector<Ring>& obstacles) {
-  auto trees = star_trees(outside, obstacles);
-  EXPECT_TRUE(trees) << (trees ? "" : trees.error());
-  const auto centre = [](const Ring& ring) { return largest_circle_in(kernel_of(ring)).centre; };
-  StarWorld world{{trees->outside, centre(trees->outside), 0.0, true}, {}, trees->purges, {outside}};
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    world.obstacles.emplace_back(trees->stars[i], centre(trees->stars[i]), 0.0, false);
-    world.rims.push_back(obstacles[i]);
-  }
-  return world;
-}
-
 struct Case {
   const char* name;
   Ring outside;
@@ -167,24 +154,21 @@ std::vector<Case> cases() {
           {"H hall", h_hall, {{{4, 4.8}, {4.4, 4.8}, {4.4, 5.2}, {4, 5.2}}}, {8.5, 9}}};
 }
 
-TEST(StarTrees, TheMapToDiscsDoesNotFoldAndTakesRimsToCircles) {
+TEST(TreeMap, DoesNotFoldAndTakesRimsToCircles) {
   for (const Case& c : cases()) {
-    const StarWorld world = world_of(c.outside, c.obstacles);
-    const ChosenLambda chosen = choose_lambda(world, c.goal);
-    EXPECT_TRUE(chosen.is_shown) << c.name;
-    const StarMap map{world, c.goal, chosen.lambda};
-    double least = 1e300, least_collar = 1e300, worst = 0.0;
-    for (const LeafPurge& purge : world.purges) least_collar = std::min(least_collar, purge.collar());
+    const auto made = TreeMap::of(c.outside, c.obstacles);
+    ASSERT_TRUE(made) << c.name << made.error();
+    const TreeMap& map = *made;
+    double least = 1e300, least_collar = 1e300, worst = 0.0, back = 0.0;
+    for (const LeafPurge& leaf : map.leaves()) least_collar = std::min(least_collar, leaf.collar());
     int looked = 0, folds = 0;
     const auto look = [&](Vec2 q) {
-      bool is_free = contains(c.outside, q);
-      for (const Ring& ring : c.obstacles) is_free = is_free && !contains(ring, q);
-      EXPECT_EQ(map.is_free(q), is_free) << c.name << " " << q.x << ", " << q.y;
-      if (!is_free) return;
+      if (!map.is_free(q)) return;
       ++looked;
-      const double det = map.at(q).determinant();
-      least = std::min(least, det);
-      folds += det > 0.0 ? 0 : 1;
+      const PlaneImage image = map.at(q);
+      least = std::min(least, image.determinant());
+      folds += image.determinant() > 0.0 ? 0 : 1;
+      back = std::max(back, distance(map.back(image.at), q));
     };
     for (int j = 0; j < 140; ++j) {
       for (int i = 0; i < 140; ++i) look({10.0 * (i + 0.5) / 140, 10.0 * (j + 0.5) / 140});
@@ -203,7 +187,10 @@ TEST(StarTrees, TheMapToDiscsDoesNotFoldAndTakesRimsToCircles) {
     for (std::size_t i = 0; i < c.obstacles.size(); ++i) along(c.obstacles[i], 1.0, map.model().obstacles[i]);
     EXPECT_EQ(folds, 0) << c.name;
     EXPECT_LT(worst, 1e-6) << c.name;
-    std::printf("%s: %zu leaves, narrowest collar %.3g, lambda %g, least det J %.3g at %d places, rims off by %.2g\n", c.name, world.purges.size(), least_collar, chosen.lambda, least, looked, worst);
+    EXPECT_LT(back, 1e-6) << c.name;
+    double least_room = 1e300;
+    for (const StarRounding& star : map.stars()) least_room = std::min(least_room, star.room());
+    std::printf("%s: %zu leaves, narrowest collar %.3g, room %.3g, least det J %.3g at %d places, rims off by %.2g, back by %.2g\n", c.name, map.leaves().size(), least_collar, least_room, least, looked, worst, back);
   }
 }
 

@@ -7,15 +7,6 @@ namespace {
 
 constexpr double least_lambda = 1e2, most_lambda = 1e12;
 
-/// The second after the first.
-PlaneImage composed(const PlaneImage& second, const PlaneImage& first) {
-  return {second.at, second.xx * first.xx + second.xy * first.yx, second.xx * first.xy + second.xy * first.yy, second.yx * first.xx + second.yy * first.yx,
-          second.yx * first.xy + second.yy * first.yy};
-}
-
-constexpr double beside_rims[] = {1e-6, 1e-4, 1e-2};  // of the world's radius, from stars' rims, where folds are looked for
-constexpr int rays = 360;
-
 /// (|q − c| / rim)²: under 1 within the star.
 Dual share_of(const Star& star, Vec2 q) {
   const Vec2 c = star.centre();
@@ -25,35 +16,18 @@ Dual share_of(const Star& star, Vec2 q) {
 
 }  // namespace
 
-StarMap::StarMap(const StarWorld& world, Vec2 goal, double lambda) : world_{world}, lambda_{lambda} {
-  goal_ = drawn_in(goal).at;
+StarMap::StarMap(const StarWorld& world, Vec2 goal, double lambda) : world_{world}, goal_{goal}, lambda_{lambda} {
   model_.outside = {world.outside.centre(), world.outside.greatest_rim()};
   for (const Star& star : world.obstacles) model_.obstacles.push_back({star.centre(), star.least_rim()});
 }
 
-StarMap::Image StarMap::drawn_in(Vec2 q) const {
-  Image image{q};
-  for (const LeafPurge& purge : world_.purges) image = composed(purge.at(image.at), image);
-  return image;
-}
-
-StarMap::Image StarMap::at(Vec2 q) const {
-  if (world_.purges.empty()) return of_stars(q);
-  const Image first = drawn_in(q);
-  return composed(of_stars(first.at), first);
-}
-
 bool StarMap::is_free(Vec2 q) const {
-  for (const LeafPurge& purge : world_.purges) {
-    if (purge.holds(q)) return false;
-    q = purge.at(q).at;
-  }
   if (q == world_.outside.centre()) return std::none_of(world_.obstacles.begin(), world_.obstacles.end(), [&](const Star& s) { return q == s.centre() || distance(q, s.centre()) <= s.rim(q).value; });
   if (distance(q, world_.outside.centre()) >= world_.outside.rim(q).value) return false;
   return std::none_of(world_.obstacles.begin(), world_.obstacles.end(), [&](const Star& s) { return q == s.centre() || distance(q, s.centre()) <= s.rim(q).value; });
 }
 
-StarMap::Image StarMap::of_stars(Vec2 q) const {
+StarMap::Image StarMap::at(Vec2 q) const {
   const Dual qx{q.x, 1.0, 0.0}, qy{q.y, 0.0, 1.0};
   const std::size_t n = world_.obstacles.size();
   // β of each, the outside's last, and the radius that Tᵢ gives q over its distance from the centre.
@@ -91,50 +65,22 @@ StarMap::Image StarMap::of_stars(Vec2 q) const {
 }
 
 ChosenLambda choose_lambda(const StarWorld& world, Vec2 goal, int side, const std::function<bool()>& stops) {
-  StarWorld stars = world;
-  for (const LeafPurge& purge : world.purges) goal = purge.at(goal).at;
-  stars.purges.clear();
   const Vec2 middle = world.outside.centre();
   const double reach = world.outside.greatest_rim();
-  std::vector<Vec2> beside;  // places next to rims
-  for (std::size_t k = 0; !world.purges.empty() && k <= stars.obstacles.size(); ++k) {
-    const bool is_outside = k == stars.obstacles.size();
-    const Star& star = is_outside ? stars.outside : stars.obstacles[k];
-    for (int i = 0; i < rays; ++i) {
-      const Vec2 u = unit((i + 0.5) * (two_pi / rays));
-      for (const double off : beside_rims) beside.push_back(star.centre() + (star.rim(star.centre() + u).value + (is_outside ? -off : off) * reach) * u);
-    }
-  }
   ChosenLambda chosen;
   for (double lambda = least_lambda; lambda <= most_lambda; lambda *= 10.0) {
     chosen = {lambda, true};
-    const StarMap map{stars, goal, lambda};
-    const auto look = [&](Vec2 q) {
-      if (map.is_free(q)) chosen.is_shown = map.at(q).determinant() > 0.0;
-    };
+    const StarMap map{world, goal, lambda};
     for (int j = 0; j < side && chosen.is_shown; ++j) {
       if (stops && stops()) return {lambda, false};
-      for (int i = 0; i < side && chosen.is_shown; ++i) look(middle + reach * Vec2{2.0 * (i + 0.5) / side - 1.0, 2.0 * (j + 0.5) / side - 1.0});
+      for (int i = 0; i < side && chosen.is_shown; ++i) {
+        const Vec2 q = middle + reach * Vec2{2.0 * (i + 0.5) / side - 1.0, 2.0 * (j + 0.5) / side - 1.0};
+        if (map.is_free(q)) chosen.is_shown = map.at(q).determinant() > 0.0;
+      }
     }
-    for (std::size_t i = 0; i < beside.size() && chosen.is_shown; ++i) look(beside[i]);
     if (chosen.is_shown) return chosen;
   }
   return chosen;
-}
-
-Vec2 StarNavigation::uphill(Vec2 q) const {
-  const StarMap::Image j = map_.at(q);
-  const Vec2 g = function_.slope(j.at);
-  const double det = j.determinant();
-  return (1.0 / det) * Vec2{j.yy * g.x - j.xy * g.y, j.xx * g.y - j.yx * g.x};
-}
-
-std::optional<Vec2> StarNavigation::way_off_from(Vec2 q) const {
-  const StarMap::Image j = map_.at(q);
-  const auto way = way_off(function_.curvature(j.at));
-  if (!way) return std::nullopt;
-  const Vec2 back{j.yy * way->x - j.xy * way->y, j.xx * way->y - j.yx * way->x};
-  return (1.0 / norm(back)) * back;
 }
 
 Vec2 StarNavigation::slope(Vec2 q) const {

@@ -1,7 +1,5 @@
 // A world of stars, and the smooth map that takes it to a world of discs.
 //
-// Obstacles that are no stars are trees of them: their leaves are drawn in first (leaf_purge.hpp).
-//
 // Source: the navigation-field publication, §4.3, (4.10); E. Rimon, D. E. Koditschek: The construction of analytic diffeomorphisms for exact robot navigation on star
 // worlds, Trans. AMS 327 (1991).
 #pragma once
@@ -18,8 +16,6 @@ namespace waywright {
 struct StarWorld {
   Star outside;                 ///< what is free lies within
   std::vector<Star> obstacles;  ///< apart from each other and from the outside's rim
-  std::vector<LeafPurge> purges{};  ///< what is done before, one after another, where obstacles or the boundary are trees of stars: stars are what is left then
-  std::vector<Ring> rims{};         ///< with them: the rims as they are before; the boundary's first
 };
 
 /// h(q) = q + Σ σᵢ (Tᵢ(q) − q): next to star i, where σᵢ is 1, the map Tᵢ that takes its rim to a circle about its centre; at the goal and far from all rims hardly
@@ -33,24 +29,18 @@ class StarMap {
   double lambda() const { return lambda_; }
 
   using Image = PlaneImage;
-  /// All of it: leaves are drawn in, then stars made to discs.
   Image at(Vec2 q) const;
-  /// With the leaves drawn in alone.
-  Image drawn_in(Vec2 q) const;
 
   bool is_free(Vec2 q) const;
 
  private:
-  Image of_stars(Vec2 q) const;
-
   StarWorld world_;
   SphereWorld model_;
-  Vec2 goal_;  ///< as it is when leaves are drawn in
+  Vec2 goal_;
   double lambda_;
 };
 
-/// The least of 10², 10³ … 10¹² with which the map does not fold at any of `side` × `side` places; 10¹² where it does with all (`is_shown` is false then). Trees are
-/// looked at when their leaves are drawn in, which never folds, and beside their rims.
+/// The least of 10², 10³ … 10¹² with which the map does not fold at any of `side` × `side` places; 10¹² where it does with all (`is_shown` is false then).
 struct ChosenLambda {
   double lambda = 0.0;
   bool is_shown = false;
@@ -67,11 +57,6 @@ class StarNavigation {
   double value(Vec2 q) const { return map_.is_free(q) ? function_.value(map_.at(q).at) : 1.0; }
   /// Jᵀ·slope of the model's: that of the logarithm of a rising function of φ. 1/m. At a free place that is not the goal.
   Vec2 slope(Vec2 q) const;
-  /// Where the model's slope comes from, J⁻¹·slope: uphill, too. The way against it is the model's way, seen back through the map, so that it does not go to and fro
-  /// at the bends that corners give to the map.
-  Vec2 uphill(Vec2 q) const;
-  /// Which way leads off from a saddle near which the place is; empty where it is near none.
-  std::optional<Vec2> way_off_from(Vec2 q) const;
 
  private:
   StarMap map_;

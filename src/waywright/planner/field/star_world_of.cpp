@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "waywright/planner/field/free_region.hpp"
-#include "waywright/planner/field/star_trees.hpp"
 
 namespace waywright {
 namespace {
@@ -71,15 +70,9 @@ std::optional<StarWorld> separate_stars(const Ring& boundary, const std::vector<
   return world;
 }
 
-double nearest_edge(const Ring& ring, Vec2 q) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ring.size(); ++i) least = std::min(least, point_segment_distance(q, ring[i], ring[(i + 1) % ring.size()]));
-  return least;
-}
-
 }  // namespace
 
-tl::expected<StarWorld, std::string> star_world(const PlaneSpace& space, Vec2 start, Vec2 goal) {
+tl::expected<StarsOrTrees, std::string> stars_or_trees(const PlaneSpace& space, Vec2 start, Vec2 goal) {
   using tl::unexpected;
   const Map& map = space.problem().world().map();
   if (!map.grids.empty() || !map.lines.empty() || !map.points.empty()) return unexpected<std::string>{"walls, scan points and cells are no stars"};
@@ -93,33 +86,20 @@ tl::expected<StarWorld, std::string> star_world(const PlaneSpace& space, Vec2 st
   if (!is_within(region->outer) || std::any_of(region->holes.begin(), region->holes.end(), is_within)) {
     return unexpected<std::string>{"start and goal are in areas that are apart: obstacles that are too near to each other or to the boundary, so that the vehicle does not pass, are between them"};
   }
-  auto trees = star_trees(region->outer, region->holes);
+  auto trees = TreeMap::of(region->outer, region->holes);
   if (!trees) return unexpected{trees.error()};
-  const auto middle = centre_of(trees->outside);
-  if (!middle) return unexpected<std::string>{"of the boundary no star is left when its pockets are filled"};
-  StarWorld world{{trees->outside, *middle, 0.0, true}, {}, std::move(trees->purges), {region->outer}};
-  for (std::size_t i = 0; i < trees->stars.size(); ++i) {
-    const auto centre = centre_of(trees->stars[i]);
-    if (!centre) return unexpected{fmt::format("of the obstacle at ({:.3f}, {:.3f}) no star is left", trees->stars[i].front().x, trees->stars[i].front().y)};
-    world.obstacles.emplace_back(trees->stars[i], *centre, 0.0, false);
-    world.rims.push_back(region->holes[i]);
-  }
-  return world;
+  return *std::move(trees);
 }
 
-double RimDistance::at(Vec2 q) const {
-  const Map& map = space_.problem().world().map();
+double distance_to_polygons(const PlaneSpace& space, Vec2 q) {
+  const Map& map = space.problem().world().map();
   double least = std::numeric_limits<double>::infinity();
   for (const auto* rings : {&map.boundaries, &map.obstacles}) {
-    for (const Ring& ring : *rings) least = std::min(least, nearest_edge(ring, q));
+    for (const Ring& ring : *rings) {
+      for (std::size_t i = 0; i < ring.size(); ++i) least = std::min(least, point_segment_distance(q, ring[i], ring[(i + 1) % ring.size()]));
+    }
   }
-  least -= space_.needed();
-  for (std::size_t i = 0; i < world_.rims.size(); ++i) {
-    const Ring& ring = world_.rims[i];
-    if (contains(ring, q) != (i == 0)) return std::min(least, 0.0);
-    least = std::min(least, nearest_edge(ring, q));
-  }
-  return least;
+  return least - space.needed();
 }
 
 }  // namespace waywright
