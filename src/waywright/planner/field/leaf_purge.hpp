@@ -21,9 +21,10 @@ struct PlaneImage {
 /// The leaf is a convex polygon of which the edge from a to b is the cut that it is drawn in to. Lines that all meet in one point (or are parallel) lead from the cut through
 /// the leaf: that through a at x = slope_a·h and that through b at x = ℓ + slope_b·h, with x along the cut, h off it into the leaf, ℓ its length. With Δ = slope_b − slope_a
 /// each line has its s = (x − h·slope_a)/(ℓ + h·Δ) in [0, 1]; with η = h·ℓ/(ℓ + h·Δ) straight lines stay straight, so that the leaf is what lies under a concave line of edges
-/// η = ρ(s) with ρ(0) = ρ(1) = 0. In each s the collar ρ ≤ η ≤ (1 + collar)·ρ is stretched onto 0 ≤ η ≤ (1 + collar)·ρ.
+/// η = ρ(s) with ρ(0) = ρ(1) = 0. On each line, which leaves the leaf at H(s) = ρℓ/(ℓ − ρΔ), the collar H ≤ h ≤ (1 + collar)·H is stretched onto 0 ≤ h ≤ (1 + collar)·H.
 ///
-/// Laws: the identity beyond the collar; one to one and without folds (det J > 0) on all but the leaf's inside; the leaf's rim goes to the cut.
+/// Laws: the identity beyond the collar; one to one and without folds (det J = (1 + 1/collar)·(ℓ + h'Δ)/(ℓ + hΔ) > 0) on all but the leaf's inside; the leaf's rim goes to
+/// the cut.
 class LeafPurge {
  public:
   /// Empty where the lines do not lead through the leaf: they meet in it, or leave it more than once.
@@ -32,10 +33,12 @@ class LeafPurge {
 
   /// How much farther than the rim, as its share, the lines can be followed: to where they meet; infinite where they do not.
   double reach() const;
-  /// The least η/ρ(s) on a segment; infinite where it is beside the lines.
+  /// No more than the least h/H(s) on a segment, and hardly less; infinite where it is beside the lines.
   double nearest(Vec2 from, Vec2 to) const;
   void set_collar(double collar) { collar_ = collar; }
   double collar() const { return collar_; }
+  /// How much the map shears next to the leaf's rim, at most: ‖J‖²/det J, 2 where it does not.
+  double shear() const;
 
   PlaneImage at(Vec2 q) const;
   /// The place that is taken there.
@@ -53,6 +56,7 @@ class LeafPurge {
   /// The edge of the rim over s, its index. @pre 0 ≤ s ≤ 1
   std::size_t edge_at(double s) const;
   double rim_at(double s) const;
+  double height(double eta) const { return eta * length_ / (length_ - eta * spread_); }  ///< h
 
   Ring leaf_;
   Vec2 along_{};

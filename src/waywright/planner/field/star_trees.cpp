@@ -17,7 +17,7 @@ constexpr double widest_collar = 1.0, least_collar = 1e-4;
 constexpr double collar_share = 0.75;      // of the way to what is next
 constexpr double on_hull = 1e-12;        // of the size of all
 constexpr double least_kernel = 1e-3;      // of a star's area: a smaller one is next to none
-constexpr double shares[] = {0.25, 0.5, 0.12, 0.75};  // of the free angle at an end of the cut, from the leaf on
+constexpr double shares[] = {0.5, 0.25, 0.75, 0.12};  // of the free angle at an end of the cut, from the leaf on
 
 struct PieceCut {
   Vec2 a{}, b{};          ///< an edge of the piece's ring
@@ -148,7 +148,7 @@ double cotangent(double angle) { return sin_cos(angle).cos / sin_cos(angle).sin;
 
 struct Candidate {
   LeafPurge purge;
-  double collar = 0.0;
+  double shear = 0.0;
 };
 
 /// The best way to draw in a leaf, among all that is on the rims.
@@ -179,9 +179,11 @@ std::optional<Candidate> drawn_in(const std::vector<Tree>& trees, const Tree& tr
         }
       }
       const double collar = std::min(widest_collar, collar_share * (nearest - 1.0));
-      if (collar < least_collar || (best && best->collar >= collar)) continue;
+      if (collar < least_collar) continue;
       purge->set_collar(collar);
-      best = Candidate{std::move(*purge), collar};
+      const double shear = purge->shear();
+      if (best && best->shear <= shear) continue;
+      best = Candidate{std::move(*purge), shear};
     }
   }
   return best;
@@ -253,7 +255,7 @@ tl::expected<StarTrees, std::string> star_trees(const Ring& outside, const std::
         const auto cut = cut_of_leaf(trees[t], trees[t].pieces[p]);
         if (!cut) continue;
         auto how = drawn_in(trees, trees[t], trees[t].pieces[p], *cut);
-        if (how && (!best || how->collar > best->how.collar)) best = Found{std::move(*how), t, p, *cut};
+        if (how && (!best || how->shear < best->how.shear)) best = Found{std::move(*how), t, p, *cut};
         else if (!how) stuck = 0.5 * (cut->a + cut->b);
       }
     }

@@ -16,7 +16,7 @@ struct StarTrees {
   std::size_t pieces = 0;         ///< convex ones that all were cut into
 };
 
-/// The lines along which a leaf is drawn in are chosen, at each end of its cut, among four; the leaf that comes next is the one with the widest collar.
+/// The lines along which a leaf is drawn in are chosen, at each end of its cut, among four; of all leaves the one that shears least comes next.
 /// The failure says what could not be cut or drawn in.
 /// @pre all simple, counter-clockwise, without straight corners; obstacles inside the outside's ring and apart from it and from each other
 tl::expected<StarTrees, std::string> star_trees(const Ring& outside, const std::vector<Ring>& obstacles);
