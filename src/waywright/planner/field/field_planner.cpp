@@ -26,6 +26,9 @@ using grid::place;
 constexpr double thinning = 0.002;        // m
 constexpr double rim_share = 0.2;         // of the distance to the nearest rim, that a step is long at most
 constexpr double shortest_step = 1e-6;    // of the outer disc's radius
+constexpr double spare_shares[] = {0.5, 0.25, 0.12, 0.06};  // of the room at start and goal, that a way among trees keeps away at most
+constexpr double most_spare = 0.5;        // m
+constexpr std::size_t tree_kappas = 3;    // that are tried among trees
 constexpr double longer_allowed = 1.1;    // of a way that keeps farther away, over the shortest
 const std::vector<double> usual_kappas{8.0, 3.0, 5.0, 12.0, 20.0};  // where none is shown to do; 8 is the reconstruction's
 constexpr int region_points = 24;         // a side, that are looked at in a region for one where the disc can stand
@@ -270,15 +273,19 @@ class FieldPlanner::Ready {
     return best;
   }
 
-  /// No λ is needed: the map of trees cannot fold. κ as with stars.
-  Descent down_tree_navigation(const FieldPlannerOptions& options, const TreeMap& map, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, Budget& budget) const {
+  struct Among {
+    Chosen chosen;
+    bool is_shown = false;
+  };
+  /// The first few κ that lead to the goal in the model. No λ is needed: the map of trees cannot fold.
+  Among down_among(const FieldPlannerOptions& options, const TreeMap& map, Vec2 start, Vec2 goal, std::int64_t most, Budget& budget) const {
     std::vector<double> kappas{options.kappa};
+    Among among;
     if (options.kappa == 0.0) {
       kappas = kappas_that_lead_to_goal(map.model(), map.at(goal).at, [&] { return budget.exhausted(); });
-      if (kappas.empty()) {
-        kappas = usual_kappas;
-        text.push_back("No whole κ from 2 to 20 was shown to leave no minimum but the goal in the model; some are tried.");
-      }
+      among.is_shown = !kappas.empty();
+      if (kappas.empty()) kappas = usual_kappas;
+      kappas.resize(std::min(kappas.size(), tree_kappas));
     }
     const auto rim = [&](Vec2 q) { return map.distance_to_rim(q); };
     const auto down = [&](double kappa) {
@@ -287,13 +294,38 @@ class FieldPlanner::Ready {
       const auto off = [&](Vec2 q) { return navigation.way_off(q); };
       return follow(Slope{step, rim, off, goal, map.stars().back().disc().radius, map.model().obstacles.size()}, start, options, most, budget);
     };
-    const Chosen chosen = best_of(kappas, down, rim, budget);
+    among.chosen = best_of(kappas, down, rim, budget);
+    return among;
+  }
+
+  /// Leaves are drawn in to next to nothing, so that the model's ways pass close to them: where there is room, all is taken as larger than it need be, as long as that makes
+  /// the way no more than a tenth longer.
+  Descent down_tree_navigation(const FieldPlannerOptions& options, const TreeMap& needed, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, Budget& budget) const {
+    Among best = down_among(options, needed, start, goal, most, budget);
+    TreeMap map = needed;
+    double spare = 0.0;
+    if (best.chosen.descent.ended == DescentEnd::goal) {
+      const double shortest = length_of_way(best.chosen.descent.points), room = std::min({most_spare, distance_to_polygons(space_, start), distance_to_polygons(space_, goal)});
+      for (const double share : spare_shares) {
+        if (budget.exhausted()) break;
+        const auto wider = trees_with(space_, start, goal, share * room);
+        if (!wider) continue;
+        Among other = down_among(options, *wider, start, goal, most, budget);
+        if (other.chosen.descent.ended != DescentEnd::goal || length_of_way(other.chosen.descent.points) > longer_allowed * shortest) continue;
+        best = std::move(other);
+        map = *wider;
+        spare = share * room;
+        break;
+      }
+    }
     const auto leaves = static_cast<std::int64_t>(map.leaves().size());
     text.push_back(fmt::format("Obstacles or the boundary are no stars, or too near to each other to pass between them: trees of stars, of which {} drawn in; then {} made to {} in a disc of {:.3f} m.",
                                leaves == 1 ? "1 leaf is" : fmt::format("{} leaves are", leaves), map.model().obstacles.size() == 1 ? "the star is" : "the stars are",
                                counted(static_cast<std::int64_t>(map.model().obstacles.size()), "disc"), map.model().outside.radius));
-    text.push_back(fmt::format("Down the navigation function of κ = {:g} on that world of discs, seen back: {}.", chosen.kappa, counted(chosen.descent.steps, "step")));
-    return chosen.descent;
+    if (spare > 0.0) text.push_back(fmt::format("All is grown by {:.3f} m more than the vehicle needs, which makes the way no more than a tenth longer.", spare));
+    if (options.kappa == 0.0 && !best.is_shown) text.push_back("No κ was shown to leave no minimum but the goal in the model; some are tried.");
+    text.push_back(fmt::format("Down the navigation function of κ = {:g} on that world of discs, seen back: {}.", best.chosen.kappa, counted(best.chosen.descent.steps, "step")));
+    return best.chosen.descent;
   }
 
   /// By differences: which way the slope falls off most.

@@ -17,6 +17,7 @@ constexpr double widest_collar = 1.0, least_collar = 1e-4;
 constexpr double collar_share = 0.75;      // of the way to what is next
 constexpr double on_hull = 1e-12;        // of the size of all
 constexpr double least_kernel = 1e-3;      // of a star's area: a smaller one is next to none
+constexpr double fat_kernel = 0.1;         // the same, of pieces that are put together: long arms are better drawn in than stretched
 constexpr double shares[] = {0.5, 0.25, 0.75, 0.12};  // of the free angle at an end of the cut, from the leaf on
 
 struct PieceCut {
@@ -61,9 +62,9 @@ bool add_pieces(Tree& tree, const Ring& ring, bool is_pocket) {
   return true;
 }
 
-bool is_star(const Ring& ring) {
+bool is_star(const Ring& ring, double least = least_kernel) {
   const Ring kernel = places_that_see_all(ring);
-  return kernel.size() >= 3 && signed_area(kernel) > least_kernel * signed_area(ring) && !kernel_of(ring).empty();
+  return kernel.size() >= 3 && signed_area(kernel) > least * signed_area(ring) && !kernel_of(ring).empty();
 }
 
 /// Both rings as one, without the edge that they have in common: from a to b in the first.
@@ -90,7 +91,7 @@ std::vector<bool> star_about(const std::vector<Piece>& pieces, std::size_t root)
       for (const PieceCut& cut : pieces[i].cuts) {
         if (cut.to == none || in[cut.to]) continue;
         Ring wider = merged(ring, pieces[cut.to].ring, cut.a, cut.b);
-        if (!is_star(wider)) continue;
+        if (!is_star(wider, fat_kernel)) continue;
         ring = std::move(wider);
         in[cut.to] = is_grown = true;
       }

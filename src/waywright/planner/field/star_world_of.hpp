@@ -16,6 +16,8 @@ namespace waywright {
 /// what stands against it: walls, scan points and cells; start and goal in areas apart; what cannot be cut or drawn in.
 using StarsOrTrees = std::variant<StarWorld, TreeMap>;
 tl::expected<StarsOrTrees, std::string> stars_or_trees(const PlaneSpace& space, Vec2 start, Vec2 goal);
+/// Trees alone, with all grown by `spare` metres more.
+tl::expected<TreeMap, std::string> trees_with(const PlaneSpace& space, Vec2 start, Vec2 goal, double spare);
 
 /// m, from a place to the nearest edge of the map's polygons, less what they were grown by; of the boundary too.
 double distance_to_polygons(const PlaneSpace& space, Vec2 q);
