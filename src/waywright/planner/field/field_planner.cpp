@@ -128,7 +128,7 @@ class FieldPlanner::Ready {
       kappas = kappas_that_lead_to_goal(world, goal, [&] { return budget.exhausted(); });
       if (kappas.empty()) {
         kappas = usual_kappas;
-        text.push_back("No whole κ from 2 to 20 was shown to leave no minimum but the goal; some are tried.");
+        text.push_back("No whole κ from 2 to 20, and no greater one of those looked at up to 4096, was shown to leave no minimum but the goal; some are tried.");
       }
     }
     const Chosen chosen = best_of(kappas, [&](double kappa) { return follow({world, goal, kappa}, start, options, most, budget); }, [&](Vec2 q) { return NavigationFunction{world, goal, 1.0}.distance_to_rim(q); }, budget);
@@ -140,7 +140,7 @@ class FieldPlanner::Ready {
     const std::vector<CriticalPoint> points = critical_points({world, goal, best_kappa}, 48, [&] { return budget.exhausted(); });
     if (leads_to_goal(points, world)) {
       text.push_back(fmt::format("Newton's method finds {}, one for each disc, and no minimum but the goal.{}", counted(static_cast<std::int64_t>(points.size()), "saddle"),
-                                 kappas.size() > 1 ? fmt::format(" So have {} others of the whole κ up to 20; of the ways at most a tenth longer than the shortest of theirs this one's keeps farthest away.", kappas.size() - 1) : std::string{}));
+                                 kappas.size() > 1 ? fmt::format(" So it does for {} other κ; of the ways at most a tenth longer than the shortest of theirs this one's keeps farthest away.", kappas.size() - 1) : std::string{}));
     } else {
       for (const CriticalPoint& c : points) {
         if (c.is_minimum) text.push_back(fmt::format("With κ = {:g} there is another minimum than the goal, at {}.", best_kappa, place(c.at)));
@@ -254,7 +254,7 @@ class FieldPlanner::Ready {
       kappas = kappas_that_lead_to_goal(map.model(), goal, [&] { return budget.exhausted(); });
       if (kappas.empty()) {
         kappas = usual_kappas;
-        text.push_back("No whole κ from 2 to 20 was shown to leave no minimum but the goal in the model; some are tried.");
+        text.push_back("No κ of those looked at up to 4096 was shown to leave no minimum but the goal in the model; some are tried.");
       }
     }
     const auto rim = [&](Vec2 q) { return distance_to_polygons(space_, q); };

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <string>
 
 #include "waywright/core/random.hpp"
 #include "waywright/geometry/convex_partition.hpp"
@@ -193,6 +195,101 @@ TEST(TreeMap, DoesNotFoldAndTakesRimsToCircles) {
     std::printf("%s: %zu leaves, narrowest collar %.3g, room %.3g, least det J %.3g at %d places, rims off by %.2g, back by %.2g\n", c.name, map.leaves().size(), least_collar, least_room, least, looked, worst, back);
   }
 }
+
+// Along parallel lines, off a triangle of height 1: h → (h − H)(1 + c)/c with H = 2s and 2 − 2s.
+TEST(LeafPurge, OfATriangleIsItsClosedForm) {
+  auto purge = LeafPurge::of({{0, 0}, {1, 0}, {0.5, 1}}, 0.0, 0.0);
+  ASSERT_TRUE(purge);
+  EXPECT_EQ(purge->reach(), std::numeric_limits<double>::infinity());
+  purge->set_collar(0.5);
+  const auto at = [&](double x, double h) { return purge->at({x, h}).at; };
+  EXPECT_LT(distance(at(0.25, 0.6), {0.25, 0.3}), 1e-12);
+  EXPECT_LT(distance(at(0.75, 0.5), {0.75, 0.0}), 1e-12);
+  EXPECT_EQ(at(0.25, 0.76), (Vec2{0.25, 0.76}));
+  EXPECT_NEAR(purge->at({0.25, 0.6}).determinant(), 3.0, 1e-12);
+  // Its nearest place on a level line is over the tip.
+  EXPECT_NEAR(purge->nearest({-3, 1.5}, {3, 1.5}), 1.5, 1e-4);
+  EXPECT_EQ(purge->nearest({-3, -0.1}, {3, -0.1}), std::numeric_limits<double>::infinity());
+}
+
+// Of a square on the way through the middle of a side: from between 1 and R to between the disc's radius and R.
+TEST(StarRounding, OfASquareIsItsClosedForm) {
+  const Ring square = rectangle({-1, -1}, {1, 1});
+  const StarRounding rounding{square, {0, 0}, false, {rectangle({-5, -5}, {5, 5})}};
+  const double end = std::sqrt(1.0 + rounding.room() * rounding.room()), radius = rounding.disc().radius;
+  EXPECT_NEAR(rounding.room(), std::sqrt(2.0), 1e-9);  // as wide as its farthest corner: 1.4 m
+  EXPECT_NEAR(radius, 0.5 * (1.0 + end), 1e-12);
+  EXPECT_NEAR(rounding.at({1.0, 0.0}).at.x, radius, 1e-12);
+  EXPECT_NEAR(rounding.at({1.3, 0.0}).at.x, radius + 0.3 * (end - radius) / (end - 1.0), 1e-12);
+  EXPECT_EQ(rounding.at({end + 1e-9, 0.0}).at, (Vec2{end + 1e-9, 0.0}));
+  EXPECT_NEAR(norm(rounding.at({1.0, 1.0}).at), radius, 1e-12);
+}
+
+// Turned and moved, the world's map is the map turned and moved.
+TEST(TreeMap, DoesNotHangOnWhereTheWorldLies) {
+  const Ring outside{{0, 0.2}, {9.7, -0.3}, {10.4, 9.6}, {7.1, 10.2}, {6.8, 8.1}, {4.9, 10.3}, {-0.4, 9.5}};
+  const std::vector<Ring> obstacles{{{3, 3.1}, {5.5, 2.9}, {5.3, 6.8}, {3.1, 7.2}, {2.9, 6.5}, {4.7, 6.3}, {4.9, 3.7}, {3.2, 3.6}}, {{7, 2}, {8.2, 2.3}, {7.6, 3.4}}};
+  const Frame frame{Pose{-3.0, 8.0, 0.7}};
+  const auto map = TreeMap::of(outside, obstacles).value(), other = TreeMap::of(transformed(outside, frame), {transformed(obstacles[0], frame), transformed(obstacles[1], frame)}).value();
+  ASSERT_GE(map.leaves().size(), 1u);
+  ASSERT_EQ(map.leaves().size(), other.leaves().size());
+  Random random{12};
+  int looked = 0;
+  while (looked < 2000) {
+    const Vec2 q{random.uniform(0, 10), random.uniform(0, 10)};
+    if (!map.is_free(q)) continue;
+    ++looked;
+    EXPECT_LT(distance(frame.to_world(map.at(q).at), other.at(frame.to_world(q)).at), 1e-5);
+  }
+}
+
+TEST(TreeNavigation, SlopeIsThatOfItsValueAndEachStepLeadsDown) {
+  for (const Case& c : cases()) {
+    const auto map = TreeMap::of(c.outside, c.obstacles).value();
+    const TreeNavigation navigation{map, c.goal, 4.0};
+    Random random{9};
+    int looked = 0, off = 0;
+    while (looked < 300) {
+      const Vec2 q{random.uniform(0, 10), random.uniform(0, 10)};
+      constexpr double h = 1e-6;
+      const double value = navigation.value(q);
+      if (map.distance_to_rim(q) < 1e-3 || value > 0.999 || value < 0.01) continue;
+      ++looked;
+      const Vec2 slope = navigation.slope(q), by_difference{navigation.value(q + Vec2{h, 0}) - navigation.value(q - Vec2{h, 0}), navigation.value(q + Vec2{0, h}) - navigation.value(q - Vec2{0, h})};
+      off += std::abs(cross(slope, by_difference)) > 1e-3 * norm(slope) * norm(by_difference) || dot(slope, by_difference) < 0.0 ? 1 : 0;
+      const Vec2 next = navigation.next(q, 1e-4);
+      EXPECT_LE(distance(q, next), 1e-4);
+      EXPECT_LT(navigation.value(next), value) << c.name;
+    }
+    EXPECT_LE(off, 3) << c.name;  // at bends
+  }
+}
+
+/// All of `side` × `side` starts, by steps of 5 cm or half the distance to the nearest rim; who stays at a saddle leaves it.
+void expect_all_to_the_goal(int side, const std::vector<std::string>& names) {
+  for (const Case& c : cases()) {
+    if (std::find(names.begin(), names.end(), c.name) == names.end()) continue;
+    const auto map = TreeMap::of(c.outside, c.obstacles).value();
+    const auto kappas = kappas_that_lead_to_goal(map.model(), map.at(c.goal).at);
+    ASSERT_FALSE(kappas.empty()) << c.name;
+    const TreeNavigation navigation{map, c.goal, kappas.front()};
+    int asked = 0, led = 0;
+    for (int j = 0; j < side; ++j) {
+      for (int i = 0; i < side; ++i) {
+        Vec2 q{10.0 * (i + 0.5) / side, 10.0 * (j + 0.5) / side};
+        if (!map.is_free(q)) continue;
+        ++asked;
+        for (int k = 0; k < 100'000 && distance(q, c.goal) > 0.02; ++k) q = navigation.next(q, std::min(0.05, 0.5 * map.distance_to_rim(q)));
+        led += distance(q, c.goal) <= 0.02 ? 1 : 0;
+      }
+    }
+    std::printf("%s, kappa %g: %d of %d starts get to the goal\n", c.name, kappas.front(), led, asked);
+    EXPECT_EQ(led, asked) << c.name;
+  }
+}
+
+TEST(TreeNavigation, LeadsEveryStartToTheGoal) { expect_all_to_the_goal(9, {"U", "U, goal in it", "S", "comb", "spiral of 6", "U hall", "H hall"}); }
+TEST(TreeNavigationFull, LeadsEveryStartOfTenThousandToTheGoal) { expect_all_to_the_goal(100, {"U", "U, goal in it", "S", "comb", "spiral of 6", "U hall", "H hall"}); }
 
 }  // namespace
 }  // namespace waywright
