@@ -20,6 +20,11 @@ constexpr double least_kernel = 1e-3;      // of a star's area: a smaller one is
 constexpr double fat_kernel = 0.1;         // the same, of pieces that are put together: long arms are better drawn in than stretched
 constexpr double shares[] = {0.5, 0.25, 0.75, 0.12};  // of the free angle at an end of the cut, from the leaf on
 
+struct Candidate {
+  LeafPurge purge;
+  double shear = 0.0;
+};
+
 struct PieceCut {
   Vec2 a{}, b{};          ///< an edge of the piece's ring
   std::size_t to = none;  ///< the piece beyond; none: what is outside the hull
@@ -28,6 +33,7 @@ struct Piece {
   Ring ring;
   std::vector<PieceCut> cuts;
   bool is_gone = false, is_root = false;
+  std::optional<Candidate> how;  ///< to draw it in, once it is a leaf: what else is drawn in makes only more room for it
 };
 /// One obstacle, or all that is outside. `rim` has what is blocked on its left.
 struct Tree {
@@ -64,7 +70,7 @@ bool add_pieces(Tree& tree, const Ring& ring, bool is_pocket) {
 
 bool is_star(const Ring& ring, double least = least_kernel) {
   const Ring kernel = places_that_see_all(ring);
-  return kernel.size() >= 3 && signed_area(kernel) > least * signed_area(ring) && !kernel_of(ring).empty();
+  return kernel.size() >= 3 && signed_area(kernel) > least * signed_area(ring);
 }
 
 /// Both rings as one, without the edge that they have in common: from a to b in the first.
@@ -146,11 +152,6 @@ std::optional<PieceCut> cut_of_leaf(const Tree& tree, const Piece& piece) {
 }
 
 double cotangent(double angle) { return sin_cos(angle).cos / sin_cos(angle).sin; }
-
-struct Candidate {
-  LeafPurge purge;
-  double shear = 0.0;
-};
 
 /// The best way to draw in a leaf, among all that is on the rims.
 std::optional<Candidate> drawn_in(const std::vector<Tree>& trees, const Tree& tree, const Piece& piece, const PieceCut& cut) {
@@ -245,31 +246,30 @@ tl::expected<StarTrees, std::string> star_trees(const Ring& outside, const std::
   }
   for (;;) {
     struct Found {
-      Candidate how;
-      std::size_t tree = 0, piece = 0;
+      Tree* tree = nullptr;
+      Piece* piece = nullptr;
       PieceCut cut;
     };
     std::optional<Found> best;
     std::optional<Vec2> stuck;
-    for (std::size_t t = 0; t < trees.size(); ++t) {
-      for (std::size_t p = 0; p < trees[t].pieces.size(); ++p) {
-        const auto cut = cut_of_leaf(trees[t], trees[t].pieces[p]);
+    for (Tree& tree : trees) {
+      for (Piece& piece : tree.pieces) {
+        const auto cut = cut_of_leaf(tree, piece);
         if (!cut) continue;
-        auto how = drawn_in(trees, trees[t], trees[t].pieces[p], *cut);
-        if (how && (!best || how->shear < best->how.shear)) best = Found{std::move(*how), t, p, *cut};
-        else if (!how) stuck = 0.5 * (cut->a + cut->b);
+        if (!piece.how) piece.how = drawn_in(trees, tree, piece, *cut);
+        if (!piece.how) stuck = 0.5 * (cut->a + cut->b);
+        else if (!best || piece.how->shear < best->piece->how->shear) best = Found{&tree, &piece, *cut};
       }
     }
     if (!best) {
       if (stuck) return unexpected{fmt::format("the piece beyond the cut at ({:.3f}, {:.3f}) cannot be drawn in: what is next to it is too near", stuck->x, stuck->y)};
       break;
     }
-    Tree& tree = trees[best->tree];
-    const std::size_t b = *only_place(tree.rim, best->cut.b);
-    std::rotate(tree.rim.begin(), tree.rim.begin() + static_cast<std::ptrdiff_t>(b), tree.rim.end());
-    tree.rim.erase(tree.rim.begin() + 1, tree.rim.begin() + static_cast<std::ptrdiff_t>(*only_place(tree.rim, best->cut.a)));
-    tree.pieces[best->piece].is_gone = true;
-    made.purges.push_back(std::move(best->how.purge));
+    Ring& rim = best->tree->rim;
+    std::rotate(rim.begin(), std::find(rim.begin(), rim.end(), best->cut.b), rim.end());
+    rim.erase(rim.begin() + 1, std::find(rim.begin(), rim.end(), best->cut.a));
+    best->piece->is_gone = true;
+    made.purges.push_back(std::move(best->piece->how->purge));
   }
   made.outside.assign(trees.back().rim.rbegin(), trees.back().rim.rend());
   trees.pop_back();
