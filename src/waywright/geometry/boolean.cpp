@@ -88,11 +88,12 @@ std::optional<std::vector<Region>> united(const std::vector<Ring>& rings) {
   return regions_of(all, sum);
 }
 
-std::optional<std::vector<Region>> without(const Ring& a, const std::vector<Ring>& others) {
+std::optional<std::vector<Region>> without(const Ring& a, const std::vector<Ring>& others, const std::function<bool()>& stops) {
   BoostArea rest;
   rest.push_back(to_boost(a));
   const double whole = signed_area(a);
   for (const Ring& ring : others) {
+    if (stops && stops()) return std::nullopt;
     BoostArea next, common;
     const BoostPolygon one = to_boost(ring);
     bg::difference(rest, one, next);

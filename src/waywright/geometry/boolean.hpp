@@ -1,6 +1,7 @@
 // Union and difference of simple polygons, by Boost.Geometry; every answer is checked by its area.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct Region {
 /// The area of all together, in pieces that are apart. Empty where rounding spoils it.
 std::optional<std::vector<Region>> united(const std::vector<Ring>& rings);
 
-/// What of `a` is in none of the others.
-std::optional<std::vector<Region>> without(const Ring& a, const std::vector<Ring>& others);
+/// What of `a` is in none of the others. `stops`, asked for each, ends it early: empty.
+std::optional<std::vector<Region>> without(const Ring& a, const std::vector<Ring>& others, const std::function<bool()>& stops = {});
 
 }  // namespace waywright

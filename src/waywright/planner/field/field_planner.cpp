@@ -100,7 +100,8 @@ class FieldPlanner::Ready {
                                  options.potential.attraction, options.potential.conic_from, options.potential.reach, options.potential.repulsion, counted(descent.steps, "step"),
                                  options.descent.speed * options.descent.period));
     } else if (options.method == FieldMethod::star) {
-      const auto world = stars_or_trees(space_, start->at, goal->at);
+      const auto world = stars_or_trees(space_, start->at, goal->at, [&] { return budget.exhausted(); });
+      if (!world && budget.exhausted()) return tl::unexpected{stopped(budget, 0)};
       if (!world) {
         budget.count_evaluations();
         return tl::unexpected{failure(Status::no_path, "the world cannot be seen as one of stars: " + world.error())};
@@ -308,7 +309,7 @@ class FieldPlanner::Ready {
       const double shortest = length_of_way(best.chosen.descent.points), room = std::min({most_spare, distance_to_polygons(space_, start), distance_to_polygons(space_, goal)});
       for (const double share : spare_shares) {
         if (budget.exhausted()) break;
-        const auto wider = trees_with(space_, start, goal, share * room);
+        const auto wider = trees_with(space_, start, goal, share * room, [&] { return budget.exhausted(); });
         if (!wider) continue;
         Among other = down_among(options, *wider, start, goal, most, budget);
         if (other.chosen.descent.ended != DescentEnd::goal || length_of_way(other.chosen.descent.points) > longer_allowed * shortest) continue;

@@ -83,7 +83,7 @@ Ring without_straight_corners(Ring ring) {
 
 }  // namespace
 
-tl::expected<Region, std::string> free_region(const Ring& boundary, const std::vector<Ring>& obstacles, double distance, Vec2 at) {
+tl::expected<Region, std::string> free_region(const Ring& boundary, const std::vector<Ring>& obstacles, double distance, Vec2 at, const std::function<bool()>& stops) {
   using tl::unexpected;
   const std::string rounding = "rounding is in the way of the areas that the vehicle's middle must keep out of";
   std::vector<Ring> blocked;
@@ -100,7 +100,8 @@ tl::expected<Region, std::string> free_region(const Ring& boundary, const std::v
   }
   const Ring inside = drawn_in(hull, distance);
   if (inside.size() < 3) return unexpected<std::string>{"nothing is left within the boundary"};
-  auto regions = without(inside, blocked);
+  auto regions = without(inside, blocked, stops);
+  if (stops && stops()) return unexpected<std::string>{"was not looked at to the end"};
   if (!regions) return unexpected{rounding};
   for (Region& region : *regions) {
     if (!contains(region.outer, at) || std::any_of(region.holes.begin(), region.holes.end(), [&](const Ring& hole) { return contains(hole, at); })) continue;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -18,7 +19,9 @@ constexpr double collar_share = 0.75;      // of the way to what is next
 constexpr double on_hull = 1e-12;        // of the size of all
 constexpr double least_kernel = 1e-3;      // of a star's area: a smaller one is next to none
 constexpr double fat_kernel = 0.1;         // the same, of pieces that are put together: long arms are better drawn in than stretched
-constexpr double shares[] = {0.5, 0.25, 0.75, 0.12};  // of the free angle at an end of the cut, from the leaf on
+// Of the free angle at an end of the cut, from the leaf on: the first few do nearly always.
+constexpr double shares[] = {0.5, 0.25, 0.75, 0.12, 0.9, 0.04, 0.97, 0.01, 0.99};
+constexpr std::size_t usual_shares = 4;
 
 struct Candidate {
   LeafPurge purge;
@@ -121,12 +124,12 @@ std::size_t depth_below(const std::vector<Piece>& pieces, std::vector<bool> in) 
 }
 
 /// Of all stars of pieces the one that leaves the shallowest tree, and of those the fewest leaves.
-void choose_root(std::vector<Piece>& pieces) {
+void choose_root(std::vector<Piece>& pieces, const std::function<bool()>& stops) {
   std::vector<bool> best;
   std::pair<std::size_t, std::size_t> least{none, none};
   std::vector<bool> tried(pieces.size(), false);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (tried[i]) continue;
+    if (tried[i] || (!best.empty() && stops && stops())) continue;
     std::vector<bool> star = star_about(pieces, i);
     const auto outside = static_cast<std::size_t>(std::count(star.begin(), star.end(), false));
     const std::pair how{depth_below(pieces, star), outside};
@@ -169,24 +172,29 @@ std::optional<Candidate> drawn_in(const std::vector<Tree>& trees, const Tree& tr
   const double end_a = cross(along, after - cut.a) > 0.0 ? angle(after - cut.a) : pi, end_b = cross(along, before - cut.b) > 0.0 ? angle(before - cut.b) : 0.0;
   if (!(leaf_a > 0.0 && leaf_a < end_a && end_b < leaf_b)) return std::nullopt;
   std::optional<Candidate> best;
-  for (const double share_a : shares) {
-    for (const double share_b : shares) {
-      auto purge = LeafPurge::of(leaf, cotangent(leaf_a + share_a * (end_a - leaf_a)), cotangent(leaf_b - share_b * (leaf_b - end_b)));
-      if (!purge) continue;
-      double nearest = purge->reach();
-      for (const Tree& other : trees) {
-        for (std::size_t i = 0; i < other.rim.size() && nearest > 1.0 + least_collar; ++i) {
-          if (&other == &tree && (i + n - *at_b) % n < (*at_a + n - *at_b) % n) continue;  // the leaf's own
-          nearest = std::min(nearest, purge->nearest(other.rim[i], other.rim[(i + 1) % other.rim.size()]));
-        }
+  const auto look = [&](double share_a, double share_b) {
+    auto purge = LeafPurge::of(leaf, cotangent(leaf_a + share_a * (end_a - leaf_a)), cotangent(leaf_b - share_b * (leaf_b - end_b)));
+    if (!purge) return;
+    double nearest = purge->reach();
+    for (const Tree& other : trees) {
+      for (std::size_t i = 0; i < other.rim.size() && nearest > 1.0 + least_collar; ++i) {
+        if (&other == &tree && (i + n - *at_b) % n < (*at_a + n - *at_b) % n) continue;  // the leaf's own
+        nearest = std::min(nearest, purge->nearest(other.rim[i], other.rim[(i + 1) % other.rim.size()]));
       }
-      const double collar = std::min(widest_collar, collar_share * (nearest - 1.0));
-      if (collar < least_collar) continue;
-      purge->set_collar(collar);
-      const double shear = purge->shear();
-      if (best && best->shear <= shear) continue;
-      best = Candidate{std::move(*purge), shear};
     }
+    const double collar = std::min(widest_collar, collar_share * (nearest - 1.0));
+    if (collar < least_collar) return;
+    purge->set_collar(collar);
+    const double shear = purge->shear();
+    if (!best || best->shear > shear) best = Candidate{std::move(*purge), shear};
+  };
+  for (const bool is_usual : {true, false}) {
+    for (std::size_t a = 0; a < std::size(shares); ++a) {
+      for (std::size_t b = 0; b < std::size(shares); ++b) {
+        if ((a < usual_shares && b < usual_shares) == is_usual) look(shares[a], shares[b]);
+      }
+    }
+    if (best) break;
   }
   return best;
 }
@@ -222,7 +230,7 @@ std::optional<Tree> outside_of(const Ring& boundary) {
 
 }  // namespace
 
-tl::expected<StarTrees, std::string> star_trees(const Ring& outside, const std::vector<Ring>& obstacles) {
+tl::expected<StarTrees, std::string> star_trees(const Ring& outside, const std::vector<Ring>& obstacles, const std::function<bool()>& stops) {
   using tl::unexpected;
   const std::string uncut = "could not be cut into convex pieces: it touches itself, or rounding is in the way";
   std::vector<Tree> trees;
@@ -231,7 +239,7 @@ tl::expected<StarTrees, std::string> star_trees(const Ring& outside, const std::
     Tree tree{ring, {}};
     if (!is_star(ring)) {
       if (!add_pieces(tree, ring, false)) return unexpected{fmt::format("the obstacle at ({:.3f}, {:.3f}) {}", ring.front().x, ring.front().y, uncut)};
-      choose_root(tree.pieces);
+      choose_root(tree.pieces, stops);
     }
     made.pieces += std::max<std::size_t>(1, tree.pieces.size());
     trees.push_back(std::move(tree));
@@ -256,6 +264,7 @@ tl::expected<StarTrees, std::string> star_trees(const Ring& outside, const std::
       for (Piece& piece : tree.pieces) {
         const auto cut = cut_of_leaf(tree, piece);
         if (!cut) continue;
+        if (stops && stops()) return unexpected<std::string>{"not all leaves were drawn in"};
         if (!piece.how) piece.how = drawn_in(trees, tree, piece, *cut);
         if (!piece.how) stuck = 0.5 * (cut->a + cut->b);
         else if (!best || piece.how->shear < best->piece->how->shear) best = Found{&tree, &piece, *cut};

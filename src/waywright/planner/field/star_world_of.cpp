@@ -72,7 +72,7 @@ std::optional<StarWorld> separate_stars(const Ring& boundary, const std::vector<
 
 }  // namespace
 
-tl::expected<StarsOrTrees, std::string> stars_or_trees(const PlaneSpace& space, Vec2 start, Vec2 goal) {
+tl::expected<StarsOrTrees, std::string> stars_or_trees(const PlaneSpace& space, Vec2 start, Vec2 goal, const std::function<bool()>& stops) {
   using tl::unexpected;
   const Map& map = space.problem().world().map();
   if (!map.grids.empty() || !map.lines.empty() || !map.points.empty()) return unexpected<std::string>{"walls, scan points and cells are no stars"};
@@ -80,23 +80,23 @@ tl::expected<StarsOrTrees, std::string> stars_or_trees(const PlaneSpace& space, 
   const double grown = space.needed();
   const Ring boundary = map.boundaries.empty() ? around(map, start, goal, 4.0 * grown + 1.0) : map.boundaries.front();
   if (auto world = separate_stars(boundary, map.obstacles, grown)) return *std::move(world);
-  auto trees = trees_with(space, start, goal, 0.0);
+  auto trees = trees_with(space, start, goal, 0.0, stops);
   if (!trees) return unexpected{trees.error()};
   return *std::move(trees);
 }
 
-tl::expected<TreeMap, std::string> trees_with(const PlaneSpace& space, Vec2 start, Vec2 goal, double spare) {
+tl::expected<TreeMap, std::string> trees_with(const PlaneSpace& space, Vec2 start, Vec2 goal, double spare, const std::function<bool()>& stops) {
   using tl::unexpected;
   const Map& map = space.problem().world().map();
   const double grown = space.needed() + spare;
   const Ring boundary = map.boundaries.empty() ? around(map, start, goal, 4.0 * grown + 1.0) : map.boundaries.front();
-  const auto region = free_region(boundary, map.obstacles, grown, start);
+  const auto region = free_region(boundary, map.obstacles, grown, start, stops);
   if (!region) return unexpected{"the start " + region.error()};
   const auto is_within = [&](const Ring& ring) { return contains(ring, goal); };
   if (!is_within(region->outer) || std::any_of(region->holes.begin(), region->holes.end(), is_within)) {
     return unexpected<std::string>{"start and goal are in areas that are apart: obstacles that are too near to each other or to the boundary, so that the vehicle does not pass, are between them"};
   }
-  return TreeMap::of(region->outer, region->holes);
+  return TreeMap::of(region->outer, region->holes, stops);
 }
 
 double distance_to_polygons(const PlaneSpace& space, Vec2 q) {

@@ -1,6 +1,7 @@
 // From a map to a world of stars.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <variant>
 
@@ -15,9 +16,9 @@ namespace waywright {
 /// largest circle in its kernel. Else the area in which the disc's middle can be, joined to the start, whose rims, whatever their shape, are trees of stars. The failure says
 /// what stands against it: walls, scan points and cells; start and goal in areas apart; what cannot be cut or drawn in.
 using StarsOrTrees = std::variant<StarWorld, TreeMap>;
-tl::expected<StarsOrTrees, std::string> stars_or_trees(const PlaneSpace& space, Vec2 start, Vec2 goal);
+tl::expected<StarsOrTrees, std::string> stars_or_trees(const PlaneSpace& space, Vec2 start, Vec2 goal, const std::function<bool()>& stops = {});
 /// Trees alone, with all grown by `spare` metres more.
-tl::expected<TreeMap, std::string> trees_with(const PlaneSpace& space, Vec2 start, Vec2 goal, double spare);
+tl::expected<TreeMap, std::string> trees_with(const PlaneSpace& space, Vec2 start, Vec2 goal, double spare, const std::function<bool()>& stops = {});
 
 /// m, from a place to the nearest edge of the map's polygons, less what they were grown by; of the boundary too.
 double distance_to_polygons(const PlaneSpace& space, Vec2 q);

@@ -38,9 +38,9 @@ Ring polygon_of(const Disc& disc, bool is_outside) {
 
 }  // namespace
 
-tl::expected<TreeMap, std::string> TreeMap::of(const Ring& outside, const std::vector<Ring>& obstacles) {
+tl::expected<TreeMap, std::string> TreeMap::of(const Ring& outside, const std::vector<Ring>& obstacles, const std::function<bool()>& stops) {
   using tl::unexpected;
-  auto trees = star_trees(outside, obstacles);
+  auto trees = star_trees(outside, obstacles, stops);
   if (!trees) return unexpected{trees.error()};
   TreeMap map;
   map.leaves_ = std::move(trees->purges);
@@ -50,6 +50,7 @@ tl::expected<TreeMap, std::string> TreeMap::of(const Ring& outside, const std::v
   std::vector<Ring> now = std::move(trees->stars);
   now.push_back(std::move(trees->outside));
   for (std::size_t i = 0; i < now.size(); ++i) {
+    if (stops && stops()) return unexpected<std::string>{"not all stars were made to discs"};
     const bool is_outside = i + 1 == now.size();
     const auto centre = centre_of(now[i]);
     if (!centre) return unexpected{is_outside ? std::string{"of the boundary no star is left"} : fmt::format("of the obstacle at ({:.3f}, {:.3f}) no star is left", now[i].front().x, now[i].front().y)};

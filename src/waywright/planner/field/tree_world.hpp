@@ -1,6 +1,7 @@
 // A world of trees of stars, and the map of it to a world of discs: leaves drawn in one after another, then stars made to discs one after another.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ class TreeMap {
  public:
   /// The failure says what could not be cut or drawn in.
   /// @pre all simple, counter-clockwise, without straight corners; obstacles inside the outside's ring and apart from it and from each other
-  static tl::expected<TreeMap, std::string> of(const Ring& outside, const std::vector<Ring>& obstacles);
+  static tl::expected<TreeMap, std::string> of(const Ring& outside, const std::vector<Ring>& obstacles, const std::function<bool()>& stops = {});
 
   const SphereWorld& model() const { return model_; }
   const std::vector<LeafPurge>& leaves() const { return leaves_; }
