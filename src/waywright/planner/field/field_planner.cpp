@@ -319,10 +319,9 @@ class FieldPlanner::Ready {
         break;
       }
     }
-    const auto leaves = static_cast<std::int64_t>(map.leaves().size());
-    text.push_back(fmt::format("Obstacles or the boundary are no stars, or too near to each other to pass between them: trees of stars, of which {} drawn in; then {} made to {} in a disc of {:.3f} m.",
-                               leaves == 1 ? "1 leaf is" : fmt::format("{} leaves are", leaves), map.model().obstacles.size() == 1 ? "the star is" : "the stars are",
-                               counted(static_cast<std::int64_t>(map.model().obstacles.size()), "disc"), map.model().outside.radius));
+    const auto leaves = static_cast<std::int64_t>(map.leaves().size()), discs = static_cast<std::int64_t>(map.model().obstacles.size());
+    text.push_back(fmt::format("Obstacles or the boundary are no stars, or too near to each other to pass between them: as trees of stars they are seen as a world of {} in a disc of {:.3f} m{}.",
+                               counted(discs, "disc"), map.model().outside.radius, leaves == 0 ? std::string{} : fmt::format(", when {} drawn in", leaves == 1 ? "1 leaf is" : fmt::format("{} leaves are", leaves))));
     if (spare > 0.0) text.push_back(fmt::format("All is grown by {:.3f} m more than the vehicle needs, which makes the way no more than a tenth longer.", spare));
     if (options.kappa == 0.0 && !best.is_shown) text.push_back("No κ was shown to leave no minimum but the goal in the model; some are tried.");
     text.push_back(fmt::format("Down the navigation function of κ = {:g} on that world of discs, seen back: {}.", best.chosen.kappa, counted(best.chosen.descent.steps, "step")));

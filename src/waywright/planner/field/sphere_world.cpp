@@ -130,6 +130,7 @@ std::vector<CriticalPoint> critical_points(const NavigationFunction& function, i
     found.push_back({*at, h.determinant() > 0.0 && h.xx > 0.0});
   };
   for (const Disc& disc : function.world().obstacles) {
+    if (stops && stops()) return found;
     if (const auto q = behind(function, disc)) look(*q);
   }
   for (int j = 0; j < side; ++j) {
