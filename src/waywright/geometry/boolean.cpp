@@ -73,21 +73,6 @@ std::optional<std::vector<Region>> regions_of(const std::vector<BoostPolygon>& p
 
 }  // namespace
 
-std::optional<std::vector<Region>> united(const std::vector<Ring>& rings) {
-  BoostArea all;
-  double sum = 0.0;
-  for (const Ring& ring : rings) {
-    BoostArea next, common;
-    const BoostPolygon one = to_boost(ring);
-    bg::union_(all, one, next);
-    bg::intersection(all, one, common);
-    sum += signed_area(ring);
-    if (std::abs(area_of(next) + area_of(common) - area_of(all) - signed_area(ring)) > area_tolerance * sum) return std::nullopt;
-    all = std::move(next);
-  }
-  return regions_of(all, sum);
-}
-
 std::optional<std::vector<Region>> without(const Ring& a, const std::vector<Ring>& others, const std::function<bool()>& stops) {
   BoostArea rest;
   rest.push_back(to_boost(a));

@@ -21,9 +21,6 @@ struct Region {
   std::vector<Ring> holes;
 };
 
-/// The area of all together, in pieces that are apart. Empty where rounding spoils it.
-std::optional<std::vector<Region>> united(const std::vector<Ring>& rings);
-
 /// What of `a` is in none of the others. `stops`, asked for each, ends it early: empty.
 std::optional<std::vector<Region>> without(const Ring& a, const std::vector<Ring>& others, const std::function<bool()>& stops = {});
 
