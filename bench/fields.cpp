@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <string>
 #include <vector>
 
 #include "waywright/core/random.hpp"
@@ -28,7 +29,7 @@ SphereWorld discs(int n, Random& random) {
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void run() {
-  fmt::print("| discs | ns a step | relative error of the gradient, median, greatest of 2000 | choosing κ, ms |\n| --- | --- | --- | --- |\n");
+  fmt::print("| discs | ns a step | relative error of the gradient, median, greatest of 2000 | choosing κ, ms | κ that lead to the goal |\n| --- | --- | --- | --- | --- |\n");
   for (const int n : {1, 3, 10, 30, 100}) {
     Random random{static_cast<std::uint64_t>(n)};
     const SphereWorld world = discs(n, random);
@@ -55,8 +56,10 @@ void run() {
     }
     std::sort(errors.begin(), errors.end());
     const double chosen = seconds();
-    const std::size_t kappas = kappas_that_lead_to_goal(world, {9.5, 0}).size();
-    fmt::print("| {} | {:.0f} | {:.0e}, {:.0e} | {:.0f} ({} of 19 lead to the goal) |\n", n, 1e9 * step, errors[errors.size() / 2], errors.back(), 1e3 * (seconds() - chosen), kappas);
+    const std::vector<double> kappas = kappas_that_lead_to_goal(world, {9.5, 0});
+    const double took = seconds() - chosen;
+    const std::string which = kappas.empty() ? "none shown" : kappas.front() > 20.0 ? fmt::format("{:g}", fmt::join(kappas, ", ")) : fmt::format("{} of the 19 up to 20", kappas.size());
+    fmt::print("| {} | {:.0f} | {:.0e}, {:.0e} | {:.0f} | {} |\n", n, 1e9 * step, errors[errors.size() / 2], errors.back(), 1e3 * took, which);
     if (!std::isfinite(sum)) fmt::print("not finite\n");
   }
 }

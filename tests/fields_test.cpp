@@ -22,7 +22,7 @@ json read(const std::filesystem::path& file) {
 }
 
 TEST_F(CommandLine, FieldsPlanTheirExamples) {
-  for (const char* name : {"mecanum_warehouse", "mecanum_discs", "point_stars", "mecanum_crossing"}) {
+  for (const char* name : {"mecanum_warehouse", "mecanum_discs", "point_stars", "mecanum_crossing", "mecanum_wings"}) {
     const auto planned = run("plan " + examples + name + ".json -o " + name);
     ASSERT_EQ(planned.status, 0) << name << planned.out << planned.err;
     EXPECT_EQ(run(std::string{"verify "} + name + "/plan.json").status, 0) << name;
@@ -30,7 +30,7 @@ TEST_F(CommandLine, FieldsPlanTheirExamples) {
   const auto trapped = run("plan " + examples + "point_trap.json -o trap");
   EXPECT_EQ(trapped.status, 1);
   EXPECT_NE(trapped.out.find("trapped in a local minimum at (4.62"), std::string::npos) << trapped.out;
-  for (const char* other : {"harmonic", "wavefront", "visibility_graph", "global_local"}) EXPECT_EQ(run("plan " + examples + "point_trap.json -o t --planner " + other).status, 0) << other;
+  for (const char* other : {"harmonic", "wavefront", "visibility_graph", "star_navigation", "global_local"}) EXPECT_EQ(run("plan " + examples + "point_trap.json -o t --planner " + other).status, 0) << other;
 }
 
 // On a map of cells; with times of its own, which the file carries and commands keep; and honest where nothing serves.

@@ -4,6 +4,7 @@
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/multi_polygon.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 
@@ -13,6 +14,7 @@ namespace {
 namespace bg = boost::geometry;
 using BoostPoint = bg::model::d2::point_xy<double>;
 using BoostPolygon = bg::model::polygon<BoostPoint, false, true>;  // counter-clockwise, closed
+using BoostArea = bg::model::multi_polygon<BoostPolygon>;
 
 constexpr double area_tolerance = 1e-9;  // of both areas
 constexpr double sliver = 1e-9;          // of an area: less is rounding
@@ -45,7 +47,47 @@ std::optional<std::vector<Ring>> rings_of(const std::vector<BoostPolygon>& piece
   return rings;
 }
 
+/// With their holes.
+std::optional<std::vector<Region>> regions_of(const std::vector<BoostPolygon>& pieces, double whole) {
+  std::vector<Region> regions;
+  const auto ring_of = [](const auto& points) {
+    Ring ring;
+    for (const BoostPoint& p : points) ring.push_back({p.x(), p.y()});
+    return repair_ring(std::move(ring));
+  };
+  for (const BoostPolygon& piece : pieces) {
+    if (bg::area(piece) <= sliver * whole) continue;
+    RingRepair outer = ring_of(piece.outer());
+    if (outer.refused) return std::nullopt;
+    Region region{std::move(outer.ring), {}};
+    for (const auto& inner : piece.inners()) {
+      if (std::abs(bg::area(inner)) <= sliver * whole) continue;
+      RingRepair hole = ring_of(inner);
+      if (hole.refused) return std::nullopt;
+      region.holes.push_back(std::move(hole.ring));
+    }
+    regions.push_back(std::move(region));
+  }
+  return regions;
+}
+
 }  // namespace
+
+std::optional<std::vector<Region>> without(const Ring& a, const std::vector<Ring>& others, const std::function<bool()>& stops) {
+  BoostArea rest;
+  rest.push_back(to_boost(a));
+  const double whole = signed_area(a);
+  for (const Ring& ring : others) {
+    if (stops && stops()) return std::nullopt;
+    BoostArea next, common;
+    const BoostPolygon one = to_boost(ring);
+    bg::difference(rest, one, next);
+    bg::intersection(rest, one, common);
+    if (std::abs(area_of(next) + area_of(common) - area_of(rest)) > area_tolerance * whole) return std::nullopt;
+    rest = std::move(next);
+  }
+  return regions_of(rest, whole);
+}
 
 std::optional<Ring> joined(const Ring& a, const Ring& b) {
   std::vector<BoostPolygon> both, common;

@@ -37,6 +37,17 @@ TEST(Boolean, Without) {
   EXPECT_NEAR(area_of(*without(square, rectangle({5, 5}, {6, 6}))), 4.0, 1e-12) << "apart";
 }
 
+TEST(Boolean, WithoutSeveralKeepsHoles) {
+  const auto left = without(square, std::vector<Ring>{rectangle({0.5, 0.5}, {0.8, 1}), rectangle({0.7, 0.5}, {1, 1}), rectangle({1.5, -1}, {1.6, 3})});
+  ASSERT_TRUE(left);
+  ASSERT_EQ(left->size(), 2U);
+  const Region& holed = left->front().holes.empty() ? left->back() : left->front();
+  ASSERT_EQ(holed.holes.size(), 1U);
+  EXPECT_NEAR(signed_area(holed.holes.front()), 0.25, 1e-12);
+  EXPECT_NEAR(signed_area(holed.outer), 3.0, 1e-12);
+  EXPECT_FALSE(without(square, std::vector<Ring>{rectangle({0.5, 0.5}, {0.8, 1})}, [] { return true; })) << "stopped";
+}
+
 TEST(Boolean, AreasAddUpWhateverThePose) {
   Random random{5};
   int answered = 0;

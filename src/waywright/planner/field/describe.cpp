@@ -41,7 +41,7 @@ PlannerDescription potential_description() {
 PlannerDescription navigation_description() {
   const FieldPlannerOptions defaults;
   return described("navigation_function", "down the navigation function of a world whose obstacles fit into discs apart from each other, as published",
-                   {{.name = "kappa", .default_value = 0.0, .summary = "0: of the whole numbers to 20 that are shown to leave no minimum but the goal, one whose way is short and keeps away", .low = 0, .high = 200},
+                   {{.name = "kappa", .default_value = 0.0, .summary = "0: of the whole numbers to 20 (greater ones where none of them does) that are shown to leave no minimum but the goal, one whose way is short and keeps away", .low = 0, .high = 1e4},
                     {.name = "step", .default_value = defaults.step, .summary = "length of a step, in radii of the outer disc", .low = 1e-6, .high = 0.1}},
                    [](const Parameters& p) {
                      FieldPlannerOptions o;
@@ -54,9 +54,9 @@ PlannerDescription navigation_description() {
 
 PlannerDescription star_description() {
   const FieldPlannerOptions defaults;
-  return described("star_navigation", "down the navigation function of a world of star-shaped obstacles, seen through a smooth map to discs, as published",
-                   {{.name = "kappa", .default_value = 0.0, .summary = "0: of the whole numbers to 20 that are shown to leave no minimum but the goal in the model, one whose way is short and keeps away", .low = 0, .high = 200},
-                    {.name = "lambda", .default_value = 0.0, .summary = "of the map: the greater, the nearer to its rim each star bends it; 0: the least power of ten that is shown not to fold", .low = 0, .high = 1e15},
+  return described("star_navigation", "down the navigation function of a world of star-shaped obstacles, seen through a smooth map to discs, as published; polygons of any shape as trees of stars",
+                   {{.name = "kappa", .default_value = 0.0, .summary = "0: of the whole numbers to 20 that are shown to leave no minimum but the goal in the model, one whose way is short and keeps away", .low = 0, .high = 1e4},
+                    {.name = "lambda", .default_value = 0.0, .summary = "of the map: the greater, the nearer to its rim each star bends it; 0: the least power of ten that is shown not to fold; trees of stars need none", .low = 0, .high = 1e15},
                     {.name = "step", .default_value = defaults.step, .summary = "length of a step, in greatest radii of the boundary", .low = 1e-6, .high = 0.1}},
                    [](const Parameters& p) {
                      FieldPlannerOptions o;

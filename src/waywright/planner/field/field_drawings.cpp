@@ -164,6 +164,30 @@ SharedDrawing star_drawing(const StarWorld& world, Vec2 goal, double lambda, dou
   });
 }
 
+SharedDrawing tree_drawing(std::shared_ptr<const TreeMap> map, Vec2 goal, double kappa, std::optional<Vec2> trap) {
+  return drawing([=](const Problem&, const Box& region) {
+    const TreeNavigation navigation{*map, goal, kappa};
+    FieldSeen seen;
+    seen.name = "navigation function, seen through the map from trees of stars to discs";
+    seen.value = [&](Vec2 q) { return map->is_free(q) && q != goal ? std::optional{navigation.function().logarithm(map->at(q).at)} : std::nullopt; };
+    seen.next = [&](Vec2 q, double step) -> std::optional<Vec2> {
+      const auto here = seen.value(q);
+      if (!here) return std::nullopt;
+      const Vec2 next = navigation.next(q, step);
+      const auto there = seen.value(next);
+      return there && *there < *here ? std::optional{next} : std::nullopt;
+    };
+    std::size_t corners = 1;
+    for (const Ring& rim : map->rims()) corners += rim.size();
+    seen.most_values = std::clamp<std::int64_t>(star_work / static_cast<std::int64_t>(corners), 2'500, seen.most_values);
+    FieldPicture picture = field_picture(seen, region);
+    std::vector<Critical> points;
+    for (const CriticalPoint& c : critical_points(navigation.function())) points.push_back({kind_of(navigation.function().curvature(c.at)), map->back(c.at)});
+    mark(picture, std::move(points), region, goal, trap);
+    return picture;
+  });
+}
+
 SharedDrawing wavefront_drawing(const GridFrame& frame, Wavefront front, Neighbours neighbours) {
   const auto shared = std::make_shared<const Wavefront>(std::move(front));
   return drawing([=](const Problem& problem, const Box& region) {

@@ -11,6 +11,7 @@
 #include "waywright/planner/field/potential.hpp"
 #include "waywright/planner/field/sphere_world.hpp"
 #include "waywright/planner/field/star_world.hpp"
+#include "waywright/planner/field/tree_world.hpp"
 #include "waywright/planner/field/wavefront.hpp"
 
 namespace waywright {
@@ -22,6 +23,7 @@ SharedDrawing potential_drawing(const PotentialOptions& options, Vec2 goal, std:
 /// Critical points are those of critical_points(), for the stars where the map takes them from.
 SharedDrawing navigation_drawing(const SphereWorld& world, Vec2 goal, double kappa, std::optional<Vec2> trap);
 SharedDrawing star_drawing(const StarWorld& world, Vec2 goal, double lambda, double kappa, std::optional<Vec2> trap);
+SharedDrawing tree_drawing(std::shared_ptr<const TreeMap> map, Vec2 goal, double kappa, std::optional<Vec2> trap);
 /// Moves to the goal; there is no minimum but it.
 SharedDrawing wavefront_drawing(const GridFrame& frame, Wavefront front, Neighbours neighbours);
 /// −ln w.

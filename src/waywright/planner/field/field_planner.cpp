@@ -26,9 +26,13 @@ using grid::place;
 constexpr double thinning = 0.002;        // m
 constexpr double rim_share = 0.2;         // of the distance to the nearest rim, that a step is long at most
 constexpr double shortest_step = 1e-6;    // of the outer disc's radius
+constexpr double spare_shares[] = {0.5, 0.25, 0.12, 0.06};  // of the room at start and goal, that a way among trees keeps away at most
+constexpr double most_spare = 0.5;        // m
+constexpr std::size_t tree_kappas = 3;    // that are tried among trees
 constexpr double longer_allowed = 1.1;    // of a way that keeps farther away, over the shortest
 const std::vector<double> usual_kappas{8.0, 3.0, 5.0, 12.0, 20.0};  // where none is shown to do; 8 is the reconstruction's
 constexpr std::size_t most_places = 24;   // of a region, that are tried
+constexpr std::size_t most_regions = 4;   // of these, to which trees are tried to be made
 constexpr int region_points = 24;         // a side, that are looked at in a region for one where the disc can stand
 
 /// Places of the goal's region where the disc can stand, the nearest to the start first.
@@ -115,15 +119,26 @@ class FieldPlanner::Ready {
                                  options.descent.speed * options.descent.period));
       field_drawn = [&](std::optional<Vec2> trap) { return potential_drawing(options.potential, goal->at, trap); };
     } else if (options.method == FieldMethod::star) {
-      const auto world = star_world(space_);
+      auto world = stars_or_trees(space_, start->at, goal->at, [&] { return budget.exhausted(); });
+      // Of a region, another place may lie where trees leave room.
+      for (std::size_t k = 1; k < most_regions && !world && k < goals.size() && !budget.exhausted(); ++k) {
+        goal->at = goals[k * (goals.size() - 1) / (most_regions - 1)];
+        world = stars_or_trees(space_, start->at, goal->at, [&] { return budget.exhausted(); });
+      }
+      if (!world && budget.exhausted()) return tl::unexpected{stopped(budget, 0)};
       if (!world) {
         budget.count_evaluations();
-        return tl::unexpected{failure(Status::no_path, "a world of stars needs obstacles that are each seen whole from a place in them, apart from each other: " + world.error())};
+        return tl::unexpected{failure(Status::no_path, "the world cannot be seen as one of stars: " + world.error())};
       }
-      const StarMap map{*world, start->at, 1.0};
-      const auto reached = std::find_if(goals.begin(), goals.end(), [&](Vec2 at) { return map.is_free(at); });
-      if (reached != goals.end()) goal->at = *reached;
-      descent = down_star_navigation(options, *world, start->at, goal->at, most, text, field_drawn, budget);
+      if (const auto* trees = std::get_if<TreeMap>(&*world)) {
+        descent = down_tree_navigation(options, *trees, start->at, goal->at, most, text, field_drawn, budget);
+      } else {
+        const StarWorld& stars = std::get<StarWorld>(*world);
+        const StarMap map{stars, start->at, 1.0};
+        const auto reached = std::find_if(goals.begin(), goals.end(), [&](Vec2 at) { return map.is_free(at); });
+        if (reached != goals.end()) goal->at = *reached;
+        descent = down_star_navigation(options, stars, start->at, goal->at, most, text, field_drawn, budget);
+      }
     } else {
       const auto covering = covering_world(space_, start->at, goals);
       if (!covering) {
@@ -157,7 +172,7 @@ class FieldPlanner::Ready {
       kappas = kappas_that_lead_to_goal(world, goal, [&] { return budget.exhausted(); });
       if (kappas.empty()) {
         kappas = usual_kappas;
-        text.push_back("No whole κ from 2 to 20 was shown to leave no minimum but the goal; some are tried.");
+        text.push_back("No whole κ from 2 to 20, and no greater one of those looked at up to 4096, was shown to leave no minimum but the goal; some are tried.");
       }
     }
     const Chosen chosen = best_of(kappas, [&](double kappa) { return follow({world, goal, kappa}, start, options, most, budget); }, [&](Vec2 q) { return NavigationFunction{world, goal, 1.0}.distance_to_rim(q); }, budget);
@@ -170,7 +185,7 @@ class FieldPlanner::Ready {
     const std::vector<CriticalPoint> points = critical_points({world, goal, best_kappa}, 48, [&] { return budget.exhausted(); });
     if (leads_to_goal(points, world)) {
       text.push_back(fmt::format("Newton's method finds {}, one for each disc, and no minimum but the goal.{}", counted(static_cast<std::int64_t>(points.size()), "saddle"),
-                                 kappas.size() > 1 ? fmt::format(" So have {} others of the whole κ up to 20; of the ways at most a tenth longer than the shortest of theirs this one's keeps farthest away.", kappas.size() - 1) : std::string{}));
+                                 kappas.size() > 1 ? fmt::format(" So it does for {} other κ; of the ways at most a tenth longer than the shortest of theirs this one's keeps farthest away.", kappas.size() - 1) : std::string{}));
     } else {
       for (const CriticalPoint& c : points) {
         if (c.is_minimum) text.push_back(fmt::format("With κ = {:g} there is another minimum than the goal, at {}.", best_kappa, place(c.at)));
@@ -212,13 +227,19 @@ class FieldPlanner::Ready {
 
   /// A field to be followed by steps of one length, shorter near rims.
   struct Slope {
-    std::function<Vec2(Vec2)> slope;       ///< points uphill; of any length
+    std::function<std::optional<Vec2>(Vec2, double)> step;  ///< where it leads from there, by so many m; empty where it leads nowhere
     std::function<double(Vec2)> rim;       ///< m, to the nearest rim
     std::function<std::optional<Vec2>(Vec2)> off;  ///< from a saddle
     Vec2 goal{};
     double radius = 1.0;      ///< m, of the world: what steps are measured by
     std::size_t saddles = 0;  ///< that there may be
   };
+
+  static std::optional<Vec2> along(Vec2 way, Vec2 q, double long_) {
+    const double steep = norm(way);
+    if (!(steep > 0.0) || !std::isfinite(steep)) return std::nullopt;
+    return q + (long_ / steep) * way;
+  }
 
   /// Who runs into a saddle leaves it to a side.
   static Descent follow(const Slope& field, Vec2 start, const FieldPlannerOptions& options, std::int64_t most, Budget& budget) {
@@ -233,10 +254,8 @@ class FieldPlanner::Ready {
     const auto down = [&](Vec2 q) -> std::optional<FieldStep> {
       const double rim = field.rim(q);
       if (!(rim > 0.0)) return std::nullopt;
-      const Vec2 slope = field.slope(q);
-      const double steep = norm(slope);
-      if (!(steep > 0.0) || !std::isfinite(steep)) return FieldStep{};
-      return FieldStep{(-std::clamp(rim_share * rim, shortest_step * field.radius, steps.speed) / steep) * slope, 0.0};
+      const auto next = field.step(q, std::clamp(rim_share * rim, shortest_step * field.radius, steps.speed));
+      return next ? FieldStep{*next - q, 0.0} : FieldStep{};
     };
     Descent all;
     all.points = {start};
@@ -262,7 +281,7 @@ class FieldPlanner::Ready {
   }
 
   static Descent follow(const NavigationFunction& function, Vec2 start, const FieldPlannerOptions& options, std::int64_t most, Budget& budget) {
-    return follow(Slope{[&](Vec2 q) { return function.slope(q); }, [&](Vec2 q) { return function.distance_to_rim(q); }, [&](Vec2 q) { return way_off(function.curvature(q)); }, function.goal(),
+    return follow(Slope{[&](Vec2 q, double long_) { return along(-function.slope(q), q, long_); }, [&](Vec2 q) { return function.distance_to_rim(q); }, [&](Vec2 q) { return way_off(function.curvature(q)); }, function.goal(),
                         function.world().outside.radius, function.world().obstacles.size()},
                   start, options, most, budget);
   }
@@ -283,23 +302,79 @@ class FieldPlanner::Ready {
       kappas = kappas_that_lead_to_goal(map.model(), goal, [&] { return budget.exhausted(); });
       if (kappas.empty()) {
         kappas = usual_kappas;
-        text.push_back("No whole κ from 2 to 20 was shown to leave no minimum but the goal in the model; some are tried.");
+        text.push_back("No κ of those looked at up to 4096 was shown to leave no minimum but the goal in the model; some are tried.");
       }
     }
-    const RimDistance rims{space_};
+    const auto rim = [&](Vec2 q) { return distance_to_polygons(space_, q); };
     const auto down = [&](double kappa) {
       const StarNavigation navigation{world, goal, lambda, kappa};
       const auto off = [&](Vec2 q) { return saddle_direction(navigation, q); };
-      const Slope slope{[&](Vec2 q) { return navigation.slope(q); }, [&](Vec2 q) { return rims.at(q); }, off, goal, world.outside.greatest_rim(), world.obstacles.size()};
+      const auto step = [&](Vec2 q, double long_) { return along(-navigation.slope(q), q, long_); };
+      const Slope slope{step, rim, off, goal, world.outside.greatest_rim(), world.obstacles.size()};
       return follow(slope, start, options, most, budget);
     };
-    const Chosen chosen = best_of(kappas, down, [&](Vec2 q) { return rims.at(q); }, budget);
+    const Chosen chosen = best_of(kappas, down, rim, budget);
     const double best_kappa = chosen.kappa;
     const Descent& best = chosen.descent;
     drawn = [=](std::optional<Vec2> trap) { return star_drawing(world, goal, lambda, best_kappa, trap); };
     text.push_back(fmt::format("Down the navigation function of κ = {:g} on the world of discs that the map of λ = {:g} makes of {}: {}.", best_kappa, lambda,
                                counted(static_cast<std::int64_t>(world.obstacles.size()), "star"), counted(best.steps, "step")));
     return best;
+  }
+
+  struct Among {
+    Chosen chosen;
+    bool is_shown = false;
+  };
+  /// The first few κ that lead to the goal in the model. No λ is needed: the map of trees cannot fold.
+  Among down_among(const FieldPlannerOptions& options, const TreeMap& map, Vec2 start, Vec2 goal, std::int64_t most, Budget& budget) const {
+    std::vector<double> kappas{options.kappa};
+    Among among;
+    if (options.kappa == 0.0) {
+      kappas = kappas_that_lead_to_goal(map.model(), map.at(goal).at, [&] { return budget.exhausted(); });
+      among.is_shown = !kappas.empty();
+      if (kappas.empty()) kappas = usual_kappas;
+      kappas.resize(std::min(kappas.size(), tree_kappas));
+    }
+    const auto rim = [&](Vec2 q) { return map.distance_to_rim(q); };
+    const auto down = [&](double kappa) {
+      const TreeNavigation navigation{map, goal, kappa};
+      const auto step = [&](Vec2 q, double long_) { return std::optional{navigation.next(q, long_)}; };
+      const auto off = [&](Vec2 q) { return navigation.way_off(q); };
+      return follow(Slope{step, rim, off, goal, map.stars().back().disc().radius, map.model().obstacles.size()}, start, options, most, budget);
+    };
+    among.chosen = best_of(kappas, down, rim, budget);
+    return among;
+  }
+
+  /// Leaves are drawn in to next to nothing, so that the model's ways pass close to them: where there is room, all is taken as larger than it need be, as long as that makes
+  /// the way no more than a tenth longer.
+  Descent down_tree_navigation(const FieldPlannerOptions& options, const TreeMap& needed, Vec2 start, Vec2 goal, std::int64_t most, std::vector<std::string>& text, DrawingOf& drawn, Budget& budget) const {
+    Among best = down_among(options, needed, start, goal, most, budget);
+    TreeMap map = needed;
+    double spare = 0.0;
+    if (best.chosen.descent.ended == DescentEnd::goal) {
+      const double shortest = length_of_way(best.chosen.descent.points), room = std::min({most_spare, distance_to_polygons(space_, start), distance_to_polygons(space_, goal)});
+      for (const double share : spare_shares) {
+        if (budget.exhausted()) break;
+        const auto wider = trees_with(space_, start, goal, share * room, [&] { return budget.exhausted(); });
+        if (!wider) continue;
+        Among other = down_among(options, *wider, start, goal, most, budget);
+        if (other.chosen.descent.ended != DescentEnd::goal || length_of_way(other.chosen.descent.points) > longer_allowed * shortest) continue;
+        best = std::move(other);
+        map = *wider;
+        spare = share * room;
+        break;
+      }
+    }
+    drawn = [map = std::make_shared<const TreeMap>(map), goal, kappa = best.chosen.kappa](std::optional<Vec2> trap) { return tree_drawing(map, goal, kappa, trap); };
+    const auto leaves = static_cast<std::int64_t>(map.leaves().size()), discs = static_cast<std::int64_t>(map.model().obstacles.size());
+    text.push_back(fmt::format("Obstacles or the boundary are no stars, or too near to each other to pass between them: as trees of stars they are seen as a world of {} in a disc of {:.3f} m{}.",
+                               counted(discs, "disc"), map.model().outside.radius, leaves == 0 ? std::string{} : fmt::format(", when {} drawn in", leaves == 1 ? "1 leaf is" : fmt::format("{} leaves are", leaves))));
+    if (spare > 0.0) text.push_back(fmt::format("All is grown by {:.3f} m more than the vehicle needs, which makes the way no more than a tenth longer.", spare));
+    if (options.kappa == 0.0 && !best.is_shown) text.push_back("No κ was shown to leave no minimum but the goal in the model; some are tried.");
+    text.push_back(fmt::format("Down the navigation function of κ = {:g} on that world of discs, seen back: {}.", best.chosen.kappa, counted(best.chosen.descent.steps, "step")));
+    return best.chosen.descent;
   }
 
   /// By differences: which way the slope falls off most.

@@ -9,7 +9,32 @@ namespace waywright {
 namespace {
 
 constexpr int least_kappa = 2, most_kappa = 20;
+constexpr double greatest_kappa = 4096.0;  // where no whole one up to 20 does
+constexpr std::size_t greater_kappas = 2;   // that are enough
 constexpr int newton_steps = 60, usual_side = 48;
+constexpr int halvings = 60;
+constexpr int arcs = 64, finest_arc = 1 << 20;  // of a circle that is gone around
+
+/// Behind a disc, as it is seen from the goal, where the slope along the ray turns: near the rim it leads away from it, farther off to the goal. Empty where something else comes
+/// first.
+std::optional<Vec2> behind(const NavigationFunction& function, const Disc& disc) {
+  const Vec2 from_goal = disc.centre - function.goal();
+  const Vec2 u = (1.0 / norm(from_goal)) * from_goal;
+  const auto at = [&](double gap) { return disc.centre + (disc.radius + gap) * u; };
+  double low = 1e-9 * disc.radius, high = low;
+  if (!function.is_free(at(low)) || dot(function.slope(at(low)), u) >= 0.0) return std::nullopt;
+  for (;;) {
+    high = 1.1 * low;
+    if (!function.is_free(at(high))) return std::nullopt;
+    if (dot(function.slope(at(high)), u) > 0.0) break;
+    low = high;
+  }
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = 0.5 * (low + high);
+    (dot(function.slope(at(middle)), u) > 0.0 ? high : low) = middle;
+  }
+  return at(low);
+}
 
 }  // namespace
 
@@ -98,15 +123,22 @@ std::vector<CriticalPoint> critical_points(const NavigationFunction& function, i
     }
     return norm(function.slope(q)) * outside.radius < 1e-7 ? std::optional{q} : std::nullopt;
   };
+  const auto look = [&](Vec2 q) {
+    const auto at = from(q);
+    if (!at || std::any_of(found.begin(), found.end(), [&](const CriticalPoint& c) { return distance(c.at, *at) < same; })) return;
+    const SymmetricMatrix h = function.curvature(*at);
+    found.push_back({*at, h.determinant() > 0.0 && h.xx > 0.0});
+  };
+  for (const Disc& disc : function.world().obstacles) {
+    if (stops && stops()) return found;
+    if (const auto q = behind(function, disc)) look(*q);
+  }
   for (int j = 0; j < side; ++j) {
     for (int i = 0; i < side; ++i) {
       const Vec2 q = outside.centre + outside.radius * Vec2{2.0 * (i + 0.5) / side - 1.0, 2.0 * (j + 0.5) / side - 1.0};
       if (!function.is_free(q)) continue;
       if (stops && stops()) return found;
-      const auto at = from(q);
-      if (!at || std::any_of(found.begin(), found.end(), [&](const CriticalPoint& c) { return distance(c.at, *at) < same; })) continue;
-      const SymmetricMatrix h = function.curvature(*at);
-      found.push_back({*at, h.determinant() > 0.0 && h.xx > 0.0});
+      look(q);
     }
   }
   std::sort(found.begin(), found.end(), [](const CriticalPoint& a, const CriticalPoint& b) { return a.at.x != b.at.x ? a.at.x < b.at.x : a.at.y < b.at.y; });
@@ -124,7 +156,41 @@ std::vector<double> kappas_that_lead_to_goal(const SphereWorld& world, Vec2 goal
     if (stops && stops()) break;
     if (leads) all.push_back(kappa);
   }
+  // 24, 32, 48, 64 …
+  double next = 24.0;
+  for (bool is_half = true; all.size() < greater_kappas && next <= greatest_kappa && (all.empty() || all.front() > most_kappa); is_half = !is_half) {
+    const bool leads = leads_to_goal(critical_points({world, goal, next}, usual_side, stops), world);
+    if (stops && stops()) break;
+    if (leads) all.push_back(next);
+    next *= is_half ? 4.0 / 3.0 : 1.5;
+  }
   return all;
+}
+
+std::optional<int> turns_around(const NavigationFunction& function, Vec2 centre, double radius) {
+  const auto slope_at = [&](int k, int of) -> std::optional<Vec2> {
+    const Vec2 q = centre + radius * unit(k * (two_pi / of));
+    if (!function.is_free(q)) return std::nullopt;
+    const Vec2 slope = function.slope(q);
+    if (!(norm(slope) > 0.0)) return std::nullopt;
+    return slope;
+  };
+  // Arcs are divided until the slope turns by less than an eighth of a turn between their ends, twice over.
+  double turned = 0.0;
+  const std::function<bool(int, int)> add = [&](int k, int of) {
+    const auto a = slope_at(k, of), m = slope_at(2 * k + 1, 2 * of), b = slope_at(k + 1, of);
+    if (!a || !m || !b) return false;
+    const double first = arc_tangent(cross(*a, *m), dot(*a, *m)), second = arc_tangent(cross(*m, *b), dot(*m, *b));
+    if (std::abs(first) < 0.25 * pi && std::abs(second) < 0.25 * pi) {
+      turned += first + second;
+      return true;
+    }
+    return of < finest_arc && add(2 * k, 2 * of) && add(2 * k + 1, 2 * of);
+  };
+  for (int k = 0; k < arcs; ++k) {
+    if (!add(k, arcs)) return std::nullopt;
+  }
+  return static_cast<int>(std::lround(turned / two_pi));
 }
 
 std::optional<Vec2> way_off(const SymmetricMatrix& m) {

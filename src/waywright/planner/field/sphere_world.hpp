@@ -66,14 +66,20 @@ struct CriticalPoint {
   bool is_minimum = false;  ///< else a saddle or a maximum
 };
 
-/// All critical points of a navigation function but the goal that Newton's method finds from `side` × `side` starts, in the order of x.
+/// All critical points of a navigation function but the goal that Newton's method finds, in the order of x: from `side` × `side` starts, and from one behind each disc as it
+/// is seen from the goal, where the slope along that ray changes its sign. (The greater κ, the nearer to that place is the disc's saddle, and to its rim, d/2κ off.)
 /// `stops`, asked for each start, ends it early.
 std::vector<CriticalPoint> critical_points(const NavigationFunction& function, int side = 48, const std::function<bool()>& stops = {});
 
-/// Are there as many saddles as obstacles, and no minimum but the goal? (A disc with n holes has n more saddles than spurious minima.)
+/// Are there as many saddles as obstacles, and no minimum but the goal? (A disc with n holes has n more saddles than spurious minima: the indices of all
+/// critical points, the goal's among them, add up to its Euler characteristic 1 − n.)
 bool leads_to_goal(const std::vector<CriticalPoint>& points, const SphereWorld& world);
 
-/// Those of 2, 3 … 20 for which that is shown. (They are no range: 4 may do and 5 not.)
+/// How many times the slope turns around as a circle is gone around once, counter-clockwise: the sum of the indices (minimum 1, saddle −1) of the critical points in it, the
+/// goal's 1 among them, and 1 for each disc in it. Empty where the circle leaves the free space or runs into a critical point.
+std::optional<int> turns_around(const NavigationFunction& function, Vec2 centre, double radius);
+
+/// Those of 2, 3 … 20 for which that is shown. (They are no range: 4 may do and 5 not.) Where none is, the first two of 24, 32, 48, 64 … 4096 for which it is.
 std::vector<double> kappas_that_lead_to_goal(const SphereWorld& world, Vec2 goal, const std::function<bool()>& stops = {});
 
 /// The direction in which the field leaves a saddle: that of least curvature, a unit vector, one of the two. Empty where the place is no saddle: no direction leads down.

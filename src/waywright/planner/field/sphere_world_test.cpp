@@ -123,6 +123,57 @@ TEST(CriticalPoints, AreThoseOfTheTable) {
   EXPECT_LT(distance(points[2].at, {1.240, 0.641}), 0.001);
 }
 
+// With many discs whole numbers to 20 are too small: there are other minima. Greater ones do, and their saddles lie so near to the discs that starts are needed behind each.
+TEST(CriticalPoints, ThirtyAndAHundredDiscsAreShownToLeadToTheGoal) {
+  for (const int n : {30, 60, 100}) {
+    Random random{static_cast<std::uint64_t>(n)};
+    SphereWorld world{{{0, 0}, 10}, {}};
+    const double size = 20.0 / std::sqrt(n + 4.0);
+    while (static_cast<int>(world.obstacles.size()) < n) {
+      const Disc disc{random.uniform(0.0, 9.0) * unit(random.uniform(-pi, pi)), random.uniform(0.05, 0.15) * size};
+      bool apart = norm(disc.centre) + disc.radius < 9.9 && distance(disc.centre, {9.5, 0}) > disc.radius + 0.2;
+      for (const Disc& other : world.obstacles) apart = apart && distance(disc.centre, other.centre) > disc.radius + other.radius + 0.02;
+      if (apart) world.obstacles.push_back(disc);
+    }
+    const Vec2 goal{9.5, 0};
+    const auto kappas = kappas_that_lead_to_goal(world, goal);
+    ASSERT_FALSE(kappas.empty()) << n;
+    std::printf("%d discs:", n);
+    for (const double kappa : kappas) std::printf(" kappa %g", kappa);
+    std::printf("\n");
+    // Another count: around each disc, farther out than its saddle, the slope turns by one less than around the rim.
+    for (const double kappa : kappas) {
+      const NavigationFunction function{world, goal, kappa};
+      const auto points = critical_points(function);
+      int counted = 0;
+      for (const Disc& disc : world.obstacles) {
+        const auto nearest = std::min_element(points.begin(), points.end(), [&](const CriticalPoint& a, const CriticalPoint& b) { return distance(a.at, disc.centre) - disc.radius < distance(b.at, disc.centre) - disc.radius; });
+        const double gap = distance(nearest->at, disc.centre) - disc.radius;
+        const auto at_rim = turns_around(function, disc.centre, disc.radius + 1e-3 * gap), beyond = turns_around(function, disc.centre, disc.radius + 1.2 * gap);
+        EXPECT_EQ(at_rim.value_or(1), 1);
+        if (!beyond) continue;  // another disc is in the way
+        const auto inside = std::count_if(points.begin(), points.end(), [&](const CriticalPoint& c) { return distance(c.at, disc.centre) < disc.radius + 1.2 * gap; });
+        EXPECT_EQ(*beyond, 1 - inside) << n << " discs, kappa " << kappa;
+        ++counted;
+      }
+      EXPECT_GT(counted, n / 2);
+      // Around all: as along the outer rim, towards which it rises.
+      EXPECT_EQ(turns_around(function, world.outside.centre, world.outside.radius * (1.0 - 1e-9)), 1);
+    }
+  }
+}
+
+// The sum of all indices, the goal's among them, is 1 − n, be there other minima or not.
+TEST(CriticalPoints, AddUpToTheEulerCharacteristic) {
+  for (const double kappa : {2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 12.0, 40.0, 200.0}) {
+    for (const auto& [world, goal] : {std::pair{two, Vec2{3, 0}}, std::pair{three, behind}, std::pair{three, between}}) {
+      int sum = 1;
+      for (const CriticalPoint& c : critical_points({world, goal, kappa})) sum += c.is_minimum ? 1 : -1;
+      EXPECT_EQ(sum, 1 - static_cast<int>(world.obstacles.size())) << kappa;
+    }
+  }
+}
+
 /// Does a start get to the goal down the slope, by steps of 0.01 m or a fifth of the way to the nearest rim?
 bool converges(const NavigationFunction& function, Vec2 q) {
   for (int k = 0; k < 20'000; ++k) {

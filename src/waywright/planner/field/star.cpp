@@ -47,10 +47,15 @@ double best_of(double low, double high, F&& f) {
 
 }  // namespace
 
-Ring kernel_of(const Ring& ring) {
+Ring places_that_see_all(const Ring& ring) {
   const Box box = bounding_box(ring);
   Ring kernel = rectangle(box.low, box.high);
   for (std::size_t i = 0; i < ring.size() && kernel.size() >= 3; ++i) kernel = left_part(kernel, ring[i], ring[(i + 1) % ring.size()] - ring[i]);
+  return kernel;
+}
+
+Ring kernel_of(const Ring& ring) {
+  Ring kernel = places_that_see_all(ring);
   if (kernel.size() < 3 || !(signed_area(kernel) > 0.0) || largest_circle_in(kernel).radius < hair) return {};
   return kernel;
 }

@@ -12,6 +12,9 @@ namespace waywright {
 /// @pre simple, counter-clockwise
 Ring kernel_of(const Ring& ring);
 
+/// The same without that hair being looked for, cheaply: what is left may be a line or a point.
+Ring places_that_see_all(const Ring& ring);
+
 /// The middle of the largest circle in a convex polygon, and its radius (Chebyshev centre). @pre convex, counter-clockwise, of positive area
 struct InnerCircle {
   Vec2 centre{};

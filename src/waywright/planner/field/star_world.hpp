@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "waywright/planner/field/leaf_purge.hpp"
 #include "waywright/planner/field/sphere_world.hpp"
 #include "waywright/planner/field/star.hpp"
 
@@ -27,11 +28,7 @@ class StarMap {
   const SphereWorld& model() const { return model_; }
   double lambda() const { return lambda_; }
 
-  struct Image {
-    Vec2 at{};
-    double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;  ///< the Jacobian: ∂h_x/∂x, ∂h_x/∂y, ∂h_y/∂x, ∂h_y/∂y
-    double determinant() const { return xx * yy - xy * yx; }
-  };
+  using Image = PlaneImage;
   Image at(Vec2 q) const;
 
   bool is_free(Vec2 q) const;

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+
+#include "waywright/planner/field/free_region.hpp"
 
 namespace waywright {
 namespace {
@@ -28,8 +31,8 @@ double distance_of(const Ring& a, const Ring& b, double enough) {
   return least;
 }
 
-Ring around(const Map& map, const Problem& problem, double spare) {
-  std::vector<Vec2> all{problem.start().position(), problem.goal().position()};
+Ring around(const Map& map, Vec2 start, Vec2 goal, double spare) {
+  std::vector<Vec2> all{start, goal};
   for (const Ring& ring : map.obstacles) all.insert(all.end(), ring.begin(), ring.end());
   const Box box = bounding_box(all);
   const Vec2 middle = 0.5 * (box.low + box.high);
@@ -39,49 +42,72 @@ Ring around(const Map& map, const Problem& problem, double spare) {
   return ring;
 }
 
-}  // namespace
+std::optional<Vec2> centre_of(const Ring& ring) {
+  const Ring kernel = kernel_of(ring);
+  if (kernel.empty()) return std::nullopt;
+  return largest_circle_in(kernel).centre;
+}
 
-tl::expected<StarWorld, std::string> star_world(const PlaneSpace& space) {
-  using tl::unexpected;
-  const Map& map = space.problem().world().map();
-  if (!map.grids.empty() || !map.lines.empty() || !map.points.empty()) return unexpected<std::string>{"walls, scan points and cells are no stars"};
-  if (map.boundaries.size() > 1) return unexpected<std::string>{"there is more than one boundary"};
-  const double grown = space.needed();
-  const Ring boundary = map.boundaries.empty() ? around(map, space.problem(), 4.0 * grown + 1.0) : map.boundaries.front();
-  const auto centre_of = [](const Ring& ring) -> std::optional<Vec2> {
-    const Ring kernel = kernel_of(ring);
-    if (kernel.empty()) return std::nullopt;
-    return largest_circle_in(kernel).centre;
-  };
+/// Stars that are apart, as they are; empty where there are others.
+std::optional<StarWorld> separate_stars(const Ring& boundary, const std::vector<Ring>& obstacles, double grown) {
   const auto middle = centre_of(boundary);
-  if (!middle) return unexpected<std::string>{"the boundary is not star-shaped: from no place of it all of it is seen"};
+  if (!middle) return std::nullopt;
   StarWorld world{{boundary, *middle, grown, true}, {}};
-  if (!(world.outside.least_rim() > 0.0)) return unexpected<std::string>{"nothing is left within the boundary"};
-  for (std::size_t i = 0; i < map.obstacles.size(); ++i) {
-    const Ring& ring = map.obstacles[i];
-    const bool is_beyond = std::none_of(ring.begin(), ring.end(), [&](Vec2 p) { return contains(boundary, p); }) && distance_of(ring, boundary, 2.0 * grown) > 0.0;
+  if (!(world.outside.least_rim() > 0.0)) return std::nullopt;
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    const Ring& ring = obstacles[i];
+    const double to_boundary = distance_of(ring, boundary, 2.0 * grown);
+    const bool is_beyond = std::none_of(ring.begin(), ring.end(), [&](Vec2 p) { return contains(boundary, p); }) && to_boundary > 0.0;
     if (is_beyond) continue;
-    if (distance_of(ring, boundary, 2.0 * grown) <= 2.0 * grown) return unexpected{fmt::format("obstacle {} is within {:.3f} m of the boundary, where the vehicle does not pass: they are no separate stars", i, 2.0 * grown)};
+    if (to_boundary <= 2.0 * grown) return std::nullopt;
     for (std::size_t k = 0; k < i; ++k) {
-      if (distance_of(ring, map.obstacles[k], 2.0 * grown) <= 2.0 * grown)
-        return unexpected{fmt::format("obstacles {} and {} are within {:.3f} m of each other, where the vehicle does not pass: they are no separate stars", k, i, 2.0 * grown)};
+      if (distance_of(ring, obstacles[k], 2.0 * grown) <= 2.0 * grown || contains(ring, obstacles[k].front()) || contains(obstacles[k], ring.front())) return std::nullopt;
     }
     const auto centre = centre_of(ring);
-    if (!centre) return unexpected{fmt::format("obstacle {} is not star-shaped: from no place of it all of it is seen", i)};
+    if (!centre) return std::nullopt;
     world.obstacles.emplace_back(ring, *centre, grown, false);
   }
   return world;
 }
 
-double RimDistance::at(Vec2 q) const {
-  const Map& map = space_.problem().world().map();
+}  // namespace
+
+tl::expected<StarsOrTrees, std::string> stars_or_trees(const PlaneSpace& space, Vec2 start, Vec2 goal, const std::function<bool()>& stops) {
+  using tl::unexpected;
+  const Map& map = space.problem().world().map();
+  if (!map.grids.empty() || !map.lines.empty() || !map.points.empty()) return unexpected<std::string>{"walls, scan points and cells are no stars"};
+  if (map.boundaries.size() > 1) return unexpected<std::string>{"there is more than one boundary"};
+  const double grown = space.needed();
+  const Ring boundary = map.boundaries.empty() ? around(map, start, goal, 4.0 * grown + 1.0) : map.boundaries.front();
+  if (auto world = separate_stars(boundary, map.obstacles, grown)) return *std::move(world);
+  auto trees = trees_with(space, start, goal, 0.0, stops);
+  if (!trees) return unexpected{trees.error()};
+  return *std::move(trees);
+}
+
+tl::expected<TreeMap, std::string> trees_with(const PlaneSpace& space, Vec2 start, Vec2 goal, double spare, const std::function<bool()>& stops) {
+  using tl::unexpected;
+  const Map& map = space.problem().world().map();
+  const double grown = space.needed() + spare;
+  const Ring boundary = map.boundaries.empty() ? around(map, start, goal, 4.0 * grown + 1.0) : map.boundaries.front();
+  const auto region = free_region(boundary, map.obstacles, grown, start, stops);
+  if (!region) return unexpected{"the start " + region.error()};
+  const auto is_within = [&](const Ring& ring) { return contains(ring, goal); };
+  if (!is_within(region->outer) || std::any_of(region->holes.begin(), region->holes.end(), is_within)) {
+    return unexpected<std::string>{"start and goal are in areas that are apart: obstacles that are too near to each other or to the boundary, so that the vehicle does not pass, are between them"};
+  }
+  return TreeMap::of(region->outer, region->holes, stops);
+}
+
+double distance_to_polygons(const PlaneSpace& space, Vec2 q) {
+  const Map& map = space.problem().world().map();
   double least = std::numeric_limits<double>::infinity();
   for (const auto* rings : {&map.boundaries, &map.obstacles}) {
     for (const Ring& ring : *rings) {
       for (std::size_t i = 0; i < ring.size(); ++i) least = std::min(least, point_segment_distance(q, ring[i], ring[(i + 1) % ring.size()]));
     }
   }
-  return least - space_.needed();
+  return least - space.needed();
 }
 
 }  // namespace waywright

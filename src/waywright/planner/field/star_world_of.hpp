@@ -1,26 +1,26 @@
 // From a map to a world of stars.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <variant>
 
 #include "waywright/core/result.hpp"
 #include "waywright/planner/field/star_world.hpp"
+#include "waywright/planner/field/tree_world.hpp"
 #include "waywright/planner/plane/plane_space.hpp"
 
 namespace waywright {
 
-/// Every polygon, grown by what the disc needs, from the middle of the largest circle in its kernel; the boundary drawn in likewise. The failure says what is no star
-/// (with its name), what touches what, and that walls, scan points and cells are none.
-tl::expected<StarWorld, std::string> star_world(const PlaneSpace& space);
+/// Where every polygon, grown by what the disc needs, is seen whole from a place in it, the boundary from one too, and all are apart: stars, each about the middle of the
+/// largest circle in its kernel. Else the area in which the disc's middle can be, joined to the start, whose rims, whatever their shape, are trees of stars. The failure says
+/// what stands against it: walls, scan points and cells; start and goal in areas apart; what cannot be cut or drawn in.
+using StarsOrTrees = std::variant<StarWorld, TreeMap>;
+tl::expected<StarsOrTrees, std::string> stars_or_trees(const PlaneSpace& space, Vec2 start, Vec2 goal, const std::function<bool()>& stops = {});
+/// Trees alone, with all grown by `spare` metres more.
+tl::expected<TreeMap, std::string> trees_with(const PlaneSpace& space, Vec2 start, Vec2 goal, double spare, const std::function<bool()>& stops = {});
 
-/// m, from a place to the nearest edge of the polygons that it was made of, less what they were grown by; of the boundary too.
-class RimDistance {
- public:
-  explicit RimDistance(const PlaneSpace& space) : space_{space} {}
-  double at(Vec2 q) const;
-
- private:
-  const PlaneSpace& space_;
-};
+/// m, from a place to the nearest edge of the map's polygons, less what they were grown by; of the boundary too.
+double distance_to_polygons(const PlaneSpace& space, Vec2 q);
 
 }  // namespace waywright
