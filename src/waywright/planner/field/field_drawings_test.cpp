@@ -68,8 +68,10 @@ TEST(FieldDrawings, MarkTheSaddlesOfAStarWorldWhereTheMapTakesThemFrom) {
   for (const std::size_t task : {0u, 1u}) {
     const Problem problem = world_of("NF-ST", task);
     const PlaneSpace space{problem};
-    const auto world = star_world(space);
-    ASSERT_TRUE(world);
+    const auto stars = stars_or_trees(space, problem.start().position(), problem.goal().position());
+    ASSERT_TRUE(stars);
+    const auto* world = std::get_if<StarWorld>(&*stars);
+    ASSERT_NE(world, nullptr);
     const StarNavigation navigation{*world, problem.goal().position(), 1e6, 8.0};
     const auto places = critical_places(navigation, *world);
     EXPECT_EQ(places.size(), critical_points(navigation.function()).size());
@@ -82,6 +84,20 @@ TEST(FieldDrawings, MarkTheSaddlesOfAStarWorldWhereTheMapTakesThemFrom) {
     const auto picture = star_drawing(*world, problem.goal().position(), 1e6, 8.0, std::nullopt)->of(problem, disc_region);
     EXPECT_EQ(picture->critical.size(), 3u);
   }
+}
+
+// Of trees of stars, too: one saddle for each disc of the model, and streamlines that end at the goal.
+TEST(FieldDrawings, ShowWhatThePlannerWentDownAmongTrees) {
+  const Problem problem = world_of("APF-2", 0);
+  const auto drawing = drawing_of(FieldPlanner{"star_navigation", options_of(FieldMethod::star)}, problem);
+  ASSERT_TRUE(drawing);
+  const auto picture = drawing->of(problem, square_region);
+  EXPECT_EQ(count(*picture, Kind::saddle), 1u);
+  EXPECT_EQ(count(*picture, Kind::minimum), 0u);
+  EXPECT_EQ(count(*picture, Kind::trap), 0u);
+  ASSERT_FALSE(picture->streamlines.empty());
+  const bool reaches = std::any_of(picture->streamlines.begin(), picture->streamlines.end(), [&](const auto& line) { return distance(line.back(), problem.goal().position()) < 3.0 * picture->cell; });
+  EXPECT_TRUE(reaches);
 }
 
 // Who is trapped sees where; who is not sees the same place as a minimum.
