@@ -22,11 +22,12 @@ bool turns_left(Vec2 a, Vec2 b, Vec2 c) { return turn(a, b, c) > straight * norm
 
 bool in_triangle(Vec2 p, Vec2 a, Vec2 b, Vec2 c) { return turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0; }
 
-std::optional<std::vector<Triangle>> triangles_of(const Ring& ring) {
+std::optional<std::vector<Triangle>> triangles_of(const Ring& ring, const std::function<bool()>& stops) {
   std::vector<std::size_t> rest(ring.size());
   for (std::size_t i = 0; i < ring.size(); ++i) rest[i] = i;
   std::vector<Triangle> all;
   while (rest.size() > 3) {
+    if (stops && stops()) return std::nullopt;
     const std::size_t n = rest.size();
     const auto corner = [&](std::size_t i) { return ring[rest[i % n]]; };
     // Only corners that turn inwards can lie in an ear.
@@ -111,9 +112,9 @@ std::vector<std::size_t> opened(const std::vector<std::size_t>& cycle, std::size
 
 }  // namespace
 
-std::optional<ConvexPartition> convex_partition(const Ring& ring) {
+std::optional<ConvexPartition> convex_partition(const Ring& ring, const std::function<bool()>& stops) {
   if (ring.size() < 3) return std::nullopt;
-  auto triangles = triangles_of(ring);
+  auto triangles = triangles_of(ring, stops);
   if (!triangles) return std::nullopt;
   flip(ring, *triangles);
   struct Diagonal {

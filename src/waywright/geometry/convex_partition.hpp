@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -20,8 +21,9 @@ struct ConvexPartition {
 };
 
 /// Triangles by ears, made Delaunay by flips; then diagonals that are not needed are left out, the longest first (Hertel, Mehlhorn). No more than four times as many parts
-/// as are needed. Empty where rounding leaves no ear.
+/// as are needed. Empty where rounding leaves no ear, and where `stops`, asked for
+/// each ear, ends it early.
 /// @pre simple, counter-clockwise
-std::optional<ConvexPartition> convex_partition(const Ring& ring);
+std::optional<ConvexPartition> convex_partition(const Ring& ring, const std::function<bool()>& stops = {});
 
 }  // namespace waywright

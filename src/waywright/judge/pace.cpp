@@ -87,6 +87,7 @@ Timed timed_at_pace(const Problem& problem, const std::vector<Sample>& samples, 
   for (const WantedWait& wait : pace.waits) {
     const auto found = std::lower_bound(samples.begin() + static_cast<std::ptrdiff_t>(from), samples.end(), wait.s - same_place, [](const Sample& a, double s) { return a.s < s; });
     if (found == samples.end()) break;
+    if (found == samples.begin() && speed > 0.0) continue;  // who moves cannot stand where it begins
     drive_to(static_cast<std::size_t>(found - samples.begin()));
     if (wait.until <= time) continue;
     if (wait.until - time >= told_from) timed.waits.push_back({samples[from].s, samples[from].pose(), time, wait.until, wait.obstacle, 0.0, false, true});

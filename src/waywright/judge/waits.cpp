@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "waywright/proof/moving_clearance.hpp"
 
@@ -19,6 +20,7 @@ class Schedule {
  public:
   Schedule(const Problem& problem, const std::vector<Sample>& samples, const LimitsAlong& along, double tolerance, const std::atomic<bool>* cancel)
       : problem_{problem}, moving_{problem.scenario().moving}, samples_{samples}, along_{along}, clearance_{problem, problem.required_clearance(), tolerance}, cancel_{cancel} {
+    bound_by_fastest();
     spans_.resize(moving_.size());
     for (auto& of_one : spans_) of_one.resize(samples.size() - 1);
     ends_.assign(samples.size(), samples.size() - 1);
@@ -77,9 +79,21 @@ class Schedule {
     assign_speed(part, problem_.vehicle(), speed, workspace_, limits(from, to));
     return part;
   }
+  /// No part is anywhere faster than the fastest profile of the whole: under a limit of angular acceleration one that begins from rest in the middle might be, for a moment, and
+  /// `verify` takes that profile for the bound.
+  void bound_by_fastest() {
+    std::vector<Sample> fastest = samples_;
+    const auto& motion = problem_.motion();
+    assign_speed(fastest, problem_.vehicle(), motion ? motion->speed : 0.0, workspace_, along_);
+    if (along_.steps.empty()) {
+      along_.steps.assign(samples_.size() - 1, std::numeric_limits<double>::infinity());
+      along_.samples.assign(samples_.size(), std::numeric_limits<double>::infinity());
+    }
+    // A start in motion is as fast as it is.
+    for (std::size_t i = 1; i < samples_.size(); ++i) along_.samples[i] = std::min(along_.samples[i], fastest[i].speed);
+  }
   LimitsAlong limits(std::size_t from, std::size_t to) const {
     LimitsAlong part;
-    if (along_.steps.empty()) return part;
     const auto at = [](const std::vector<double>& values, std::size_t a, std::size_t b) {
       return std::vector<double>{values.begin() + static_cast<std::ptrdiff_t>(a), values.begin() + static_cast<std::ptrdiff_t>(b)};
     };
@@ -283,7 +297,7 @@ class Schedule {
   const Problem& problem_;
   const std::vector<MovingObstacle>& moving_;
   const std::vector<Sample>& samples_;
-  const LimitsAlong& along_;
+  LimitsAlong along_;
   MovingClearance clearance_;
   SpeedWorkspace workspace_;
   std::vector<std::vector<std::optional<std::vector<TimeSpan>>>> spans_;  // by obstacle and step

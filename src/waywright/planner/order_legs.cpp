@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
+#include <exception>
 #include <numeric>
 #include <set>
 
@@ -45,15 +45,16 @@ class Ways {
 
   void plan(unsigned threads) {
     std::atomic<std::size_t> next{0};
-    std::atomic<bool> is_out_of_memory{false};
+    std::atomic<bool> has_thrown{false};
+    std::exception_ptr thrown;
     on_threads(threads, asked_.size(), [&] {
       try {
-        for (std::size_t i = next++; i < asked_.size() && !is_canceled() && !is_out_of_memory; i = next++) ways_[i] = way_of(asked_[i]);
-      } catch (const std::bad_alloc&) {  // a thread has nobody above it to catch anything
-        is_out_of_memory = true;
+        for (std::size_t i = next++; i < asked_.size() && !is_canceled() && !has_thrown; i = next++) ways_[i] = way_of(asked_[i]);
+      } catch (...) {  // a thread has nobody above it to catch anything
+        if (!has_thrown.exchange(true)) thrown = std::current_exception();
       }
     });
-    if (is_out_of_memory) throw std::bad_alloc{};
+    if (thrown) std::rethrow_exception(thrown);
   }
   bool is_canceled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
   const std::vector<Asked>& asked() const { return asked_; }
@@ -285,7 +286,9 @@ Parsed<ChosenOrder> choose_order(const Scenario& mission, const std::atomic<bool
     return chosen;
   }
   const std::int64_t length = *visit_length(visits, *order);
-  const std::int64_t bound = n <= most_exact_places ? length : visit_length_bound(visits, length);
+  const std::int64_t bound = n <= most_exact_places ? length : visit_length_bound(visits, length, cancel);
+  chosen.is_canceled = ways.is_canceled();
+  if (chosen.is_canceled) return chosen;
   std::vector<std::size_t> given(n);
   std::iota(given.begin(), given.end(), std::size_t{0});
   const auto given_length = visit_length(visits, given);

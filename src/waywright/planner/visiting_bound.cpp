@@ -75,7 +75,7 @@ std::vector<std::size_t> least_arborescence(const Arcs& arcs, std::size_t root) 
 
 }  // namespace
 
-std::int64_t visit_length_bound(const VisitProblem& problem, std::int64_t upper) {
+std::int64_t visit_length_bound(const VisitProblem& problem, std::int64_t upper, const std::atomic<bool>* cancel) {
   const std::size_t n = problem.places.size();
   if (n == 0) return 0;
   const std::size_t start = n, end = n + 1;
@@ -93,7 +93,7 @@ std::int64_t visit_length_bound(const VisitProblem& problem, std::int64_t upper)
   std::vector<double> price(n + 1, 0.0);
   double best = 0.0, pace = 1.0;
   int since = 0;
-  for (int round = 0; round < 400; ++round) {
+  for (int round = 0; round < 400 && !(cancel != nullptr && cancel->load(std::memory_order_relaxed)); ++round) {
     Arcs priced = arcs;
     double bound = 0.0;
     for (std::size_t from = 0; from <= n; ++from) {

@@ -48,6 +48,6 @@ std::optional<std::vector<std::size_t>> good_visit_order(const VisitProblem& pro
 
 /// No order is shorter than this: the spanning arborescence from the start, with multipliers for places that more or fewer than one way leaves
 /// (Held and Karp 1970, for ways that are longer one way than the other). `upper`: the length of a known order. no_way: there is no order.
-std::int64_t visit_length_bound(const VisitProblem& problem, std::int64_t upper);
+std::int64_t visit_length_bound(const VisitProblem& problem, std::int64_t upper, const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace waywright

@@ -38,17 +38,22 @@ Ring grown(const Ring& convex, double distance) {
   return convex_hull(std::move(all));
 }
 
-bool add_grown(std::vector<Ring>& all, const Ring& ring, double distance) {
+/// `hair`: m, of which parts are grown by more, each by another share, so that edges that were one, or in one line, lie apart.
+bool add_grown(std::vector<Ring>& all, const Ring& ring, double distance, double hair, const std::function<bool()>& stops) {
+  const auto more = [&] {
+    const double share = 0.6180339887498949 * static_cast<double>(all.size());
+    return hair * (1.0 + share - std::floor(share));
+  };
   if (is_convex(ring)) {
-    all.push_back(grown(ring, distance));
+    all.push_back(grown(ring, distance + more()));
     return true;
   }
-  const auto partition = convex_partition(ring);
+  const auto partition = convex_partition(ring, stops);
   if (!partition) return false;
   for (const auto& corners : partition->parts) {
     Ring part;
     for (const std::size_t i : corners) part.push_back(ring[i]);
-    all.push_back(grown(part, distance));
+    all.push_back(grown(part, distance + more()));
   }
   return true;
 }
@@ -83,33 +88,49 @@ Ring without_straight_corners(Ring ring) {
 
 }  // namespace
 
-tl::expected<Region, std::string> free_region(const Ring& boundary, const std::vector<Ring>& obstacles, double distance, Vec2 at, const std::function<bool()>& stops) {
+namespace {
+
+constexpr const char* rounding = "rounding is in the way of the areas that the vehicle's middle must keep out of";
+
+tl::expected<Region, std::string> region_grown(const Ring& boundary, const std::vector<Ring>& obstacles, double distance, double hair, Vec2 at, const std::function<bool()>& stops) {
   using tl::unexpected;
-  const std::string rounding = "rounding is in the way of the areas that the vehicle's middle must keep out of";
   std::vector<Ring> blocked;
   const Ring hull = convex_hull(boundary);
   if (!is_convex(boundary)) {
     const auto pockets = without(hull, boundary);
-    if (!pockets) return unexpected{rounding};
+    if (!pockets) return unexpected<std::string>{rounding};
     for (const Ring& pocket : *pockets) {
-      if (!add_grown(blocked, without_straight_corners(pocket), distance)) return unexpected{rounding};
+      if (!add_grown(blocked, without_straight_corners(pocket), distance, hair, stops)) return unexpected<std::string>{rounding};
     }
   }
   for (const Ring& ring : obstacles) {
-    if (!add_grown(blocked, without_straight_corners(ring), distance)) return unexpected{rounding};
+    if (!add_grown(blocked, without_straight_corners(ring), distance, hair, stops)) return unexpected<std::string>{rounding};
   }
   const Ring inside = drawn_in(hull, distance);
-  if (inside.size() < 3) return unexpected<std::string>{"nothing is left within the boundary"};
+  if (inside.size() < 3) return unexpected<std::string>{"nothing is left within the boundary when it is drawn in by what the vehicle needs"};
   auto regions = without(inside, blocked, stops);
-  if (stops && stops()) return unexpected<std::string>{"was not looked at to the end"};
-  if (!regions) return unexpected{rounding};
+  if (stops && stops()) return unexpected<std::string>{"the areas that the vehicle's middle must keep out of were not looked at to the end"};
+  if (!regions) return unexpected<std::string>{rounding};
   for (Region& region : *regions) {
     if (!contains(region.outer, at) || std::any_of(region.holes.begin(), region.holes.end(), [&](const Ring& hole) { return contains(hole, at); })) continue;
     Region found{without_straight_corners(std::move(region.outer)), {}};
     for (Ring& hole : region.holes) found.holes.push_back(without_straight_corners(std::move(hole)));
     return found;
   }
-  return unexpected<std::string>{"is too near to an obstacle: arcs about corners are taken as edges up to half a millimetre farther out"};
+  return unexpected<std::string>{"the start is too near to an obstacle: arcs about corners are taken as edges up to half a millimetre farther out"};
+}
+
+}  // namespace
+
+tl::expected<Region, std::string> free_region(const Ring& boundary, const std::vector<Ring>& obstacles, double distance, Vec2 at, const std::function<bool()>& stops) {
+  // Edges of grown parts may lie on each other but for rounding.
+  constexpr double hairs[] = {0.0, 1e-7, 3e-6, 5e-5, 2e-4};  // m
+  tl::expected<Region, std::string> found = tl::unexpected<std::string>{rounding};
+  for (const double hair : hairs) {
+    found = region_grown(boundary, obstacles, distance, hair, at, stops);
+    if (found || found.error() != rounding || (stops && stops())) break;
+  }
+  return found;
 }
 
 }  // namespace waywright

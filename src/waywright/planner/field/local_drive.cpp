@@ -50,6 +50,7 @@ LocalDrive LocalDriver::run(const FreeState& start, const std::vector<Vec2>& way
   FreeState first_at{};
   while (true) {
     Meeting met = drive(all, at, orders_of(branches), budget);
+    if (all.ended == LocalEnd::goal && budget.exhausted()) all.ended = budget.canceled() ? LocalEnd::canceled : LocalEnd::timed_out;
     if (all.ended == LocalEnd::goal) {
       const auto unproven = proves(all);
       if (!unproven) break;

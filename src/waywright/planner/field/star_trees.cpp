@@ -51,8 +51,8 @@ std::optional<std::size_t> only_place(const Ring& rim, Vec2 at) {
   return static_cast<std::size_t>(found - rim.begin());
 }
 
-bool add_pieces(Tree& tree, const Ring& ring, bool is_pocket) {
-  const auto partition = convex_partition(ring);
+bool add_pieces(Tree& tree, const Ring& ring, bool is_pocket, const std::function<bool()>& stops) {
+  const auto partition = convex_partition(ring, stops);
   if (!partition) return false;
   const std::size_t first = tree.pieces.size();
   for (const auto& corners : partition->parts) {
@@ -200,7 +200,7 @@ std::optional<Candidate> drawn_in(const std::vector<Tree>& trees, const Tree& tr
 }
 
 /// The outside of a hull around the boundary, with the pockets between both. The hull's corners are the boundary's, those on its edges too.
-std::optional<Tree> outside_of(const Ring& boundary) {
+std::optional<Tree> outside_of(const Ring& boundary, const std::function<bool()>& stops) {
   Tree tree;
   tree.rim.assign(boundary.rbegin(), boundary.rend());
   const Ring hull = convex_hull(boundary);
@@ -223,7 +223,7 @@ std::optional<Tree> outside_of(const Ring& boundary) {
     if ((at + 1) % n == to) continue;
     Ring pocket{boundary[at]};
     for (std::size_t i = to; i != at; i = (i + n - 1) % n) pocket.push_back(boundary[i]);
-    if (!add_pieces(tree, pocket, true)) return std::nullopt;
+    if (!add_pieces(tree, pocket, true, stops)) return std::nullopt;
   }
   return tree;
 }
@@ -238,7 +238,7 @@ tl::expected<StarTrees, std::string> star_trees(const Ring& outside, const std::
   for (const Ring& ring : obstacles) {
     Tree tree{ring, {}};
     if (!is_star(ring)) {
-      if (!add_pieces(tree, ring, false)) return unexpected{fmt::format("the obstacle at ({:.3f}, {:.3f}) {}", ring.front().x, ring.front().y, uncut)};
+      if (!add_pieces(tree, ring, false, stops)) return unexpected{fmt::format("the obstacle at ({:.3f}, {:.3f}) {}", ring.front().x, ring.front().y, uncut)};
       choose_root(tree.pieces, stops);
     }
     made.pieces += std::max<std::size_t>(1, tree.pieces.size());
@@ -247,7 +247,7 @@ tl::expected<StarTrees, std::string> star_trees(const Ring& outside, const std::
   if (is_star(outside)) {
     trees.push_back({Ring{outside.rbegin(), outside.rend()}, {}});
   } else {
-    auto tree = outside_of(outside);
+    auto tree = outside_of(outside, stops);
     if (!tree) return unexpected{"the boundary " + uncut};
     made.pieces += tree->pieces.size();
     trees.push_back(std::move(*tree));

@@ -358,5 +358,21 @@ void expect_all_to_the_goal(int side, const std::vector<std::string>& names) {
 TEST(TreeNavigation, LeadsEveryStartToTheGoal) { expect_all_to_the_goal(9, {"U", "U, goal in it", "S", "comb", "spiral of 6", "U hall", "H hall"}); }
 TEST(TreeNavigationFull, LeadsEveryStartOfTenThousandToTheGoal) { expect_all_to_the_goal(100, {"U", "U, goal in it", "S", "comb", "spiral of 6", "U hall", "H hall"}); }
 
+// Parts of a comb, grown, have edges in one line but for rounding.
+TEST(FreeRegion, IsFoundAroundCombsOfManyTeeth) {
+  for (const int teeth : {5, 13, 20, 40}) {
+    Ring comb{{-20, -1}, {20, -1}};
+    const double pitch = 40.0 / teeth;
+    for (int k = 0; k < teeth; ++k) {
+      const double right = 20.0 - k * pitch;
+      for (const Vec2 p : {Vec2{right - 0.2 * pitch, 0.0}, Vec2{right - 0.25 * pitch, 3.0}, Vec2{right - 0.55 * pitch, 3.0}, Vec2{right - 0.6 * pitch, 0.0}}) comb.push_back({std::round(p.x * 1e6) / 1e6, p.y});
+    }
+    const auto region = free_region(rectangle({-40, -20}, {40, 20}), {comb}, 0.35, {0, -10});
+    ASSERT_TRUE(region) << teeth << ": " << region.error();
+    ASSERT_EQ(region->holes.size(), 1u) << teeth;
+    for (const Vec2 p : comb) EXPECT_TRUE(contains(region->holes.front(), p)) << teeth;
+  }
+}
+
 }  // namespace
 }  // namespace waywright

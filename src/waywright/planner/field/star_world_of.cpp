@@ -91,7 +91,7 @@ tl::expected<TreeMap, std::string> trees_with(const PlaneSpace& space, Vec2 star
   const double grown = space.needed() + spare;
   const Ring boundary = map.boundaries.empty() ? around(map, start, goal, 4.0 * grown + 1.0) : map.boundaries.front();
   const auto region = free_region(boundary, map.obstacles, grown, start, stops);
-  if (!region) return unexpected{"the start " + region.error()};
+  if (!region) return unexpected{region.error()};
   const auto is_within = [&](const Ring& ring) { return contains(ring, goal); };
   if (!is_within(region->outer) || std::any_of(region->holes.begin(), region->holes.end(), is_within)) {
     return unexpected<std::string>{"start and goal are in areas that are apart: obstacles that are too near to each other or to the boundary, so that the vehicle does not pass, are between them"};
