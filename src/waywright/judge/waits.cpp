@@ -90,7 +90,8 @@ class Schedule {
       along_.samples.assign(samples_.size(), std::numeric_limits<double>::infinity());
     }
     // A start in motion is as fast as it is.
-    for (std::size_t i = 1; i < samples_.size(); ++i) along_.samples[i] = std::min(along_.samples[i], fastest[i].speed);
+    constexpr double more_than_rounding = 1.0 + 1e-12;  // so that the same profile is the same to the last bit
+    for (std::size_t i = 1; i < samples_.size(); ++i) along_.samples[i] = std::min(along_.samples[i], more_than_rounding * fastest[i].speed);
   }
   LimitsAlong limits(std::size_t from, std::size_t to) const {
     LimitsAlong part;
