@@ -56,8 +56,8 @@ Parsed<void> change(const ReplanArguments& arguments, Scenario& scenario) {
 std::string situation_sentence(double at, const Handover& now) {
   const std::string start = fmt::format("After {:g} s the vehicle has driven {:.2f} m of the old plan", at, now.driven);
   if (now.motion.speed == 0.0) return start + " and stands.";
-  return start + fmt::format(" and moves {} at {:.3f} m/s with a curvature of {:.3f} 1/m.", now.motion.speed < 0.0 ? "backwards" : "forwards", std::abs(now.motion.speed),
-                             now.motion.curvature);
+  return start + fmt::format(" and moves {} at {:.3f} m/s with a curvature of {:.3f} 1/m.", now.motion.word(),
+                             std::abs(now.motion.speed), now.motion.curvature);
 }
 
 /// s after the plan's start, of what the options say. @pre the plan has samples
@@ -115,9 +115,6 @@ int replan(const ReplanArguments& arguments) {
   if (!at) return complain(at.error());
   const Handover now = handover_at(old->path, old->samples, *at);
   if (now.is_turning) return complain({"", "--at", fmt::format("the vehicle turns on the spot {:g} s after the start", *at), "a time at which it drives or stands"});
-  if (now.is_sliding) {
-    return complain({"", "--at", fmt::format("{:g} s after the start the vehicle moves and does not face along its path, and nothing is planned from such a motion yet", *at), "a time at which it stands"});
-  }
   if (was->pocket() && now.driven > length(old->path) - length(was->pocket_stretch()) + 1e-6) {
     return complain({"", "--at", fmt::format("the forks are in the shelf {:g} s after the start, and nothing is planned anew there", *at), "an earlier time"});
   }

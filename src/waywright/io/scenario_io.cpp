@@ -25,16 +25,23 @@ constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
 
 constexpr double fastest = 1e3;  // m/s
 constexpr double sharpest = 1e3;  // 1/m
+constexpr double most_angle = 1e3;    // rad
+constexpr double fastest_turn = 1e3;  // rad/s
 
 void read_start(const Node& node, Scenario& scenario) {
   if (!node.is_object()) {
     scenario.start = node.pose();
     return;
   }
-  if (!node.is_object_of({"pose", "speed", "curvature"})) return;
+  if (!node.is_object_of({"pose", "speed", "curvature", "course", "angular_velocity"})) return;
   scenario.start = node.at("pose").pose();
   if (node.has("speed")) scenario.start_motion.speed = node.at("speed").number(-fastest, fastest);
   if (node.has("curvature")) scenario.start_motion.curvature = node.at("curvature").number(-sharpest, sharpest);
+  if (node.has("course")) scenario.start_motion.course = node.at("course").number(-most_angle, most_angle);
+  if (node.has("angular_velocity")) {
+    if (!scenario.start_motion.course) return node.at("angular_velocity").fail("it is given without course", "start.course beside it; what faces along its way turns with the way");
+    scenario.start_motion.angular_velocity = node.at("angular_velocity").number(-fastest_turn, fastest_turn);
+  }
 }
 
 PoseError read_pose_error(const Node& node) {
@@ -249,10 +256,14 @@ Json scenario_to_json(const Scenario& scenario) {
   j["map"] = std::move(map);
   j["vehicle"] = vehicle_to_json(scenario.vehicle);
   const StartMotion& motion = scenario.start_motion;
-  if (motion.speed == 0.0 && motion.curvature == 0.0) {
+  if (motion.speed == 0.0 && motion.curvature == 0.0 && !motion.course) {
     j["start"] = to_json(scenario.start);
   } else {
     j["start"] = {{"pose", to_json(scenario.start)}, {"speed", motion.speed}, {"curvature", motion.curvature}};
+    if (motion.course) {
+      j["start"]["course"] = *motion.course;
+      j["start"]["angular_velocity"] = motion.angular_velocity;
+    }
   }
   mission_to_json(scenario, j);
   if (!scenario.carried_load.empty()) j["carried_load"] = scenario.carried_load;

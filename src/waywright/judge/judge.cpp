@@ -134,8 +134,8 @@ Plan judge_as_if_nothing_moved(const Problem& problem, Path path) {
   return plan;
 }
 
-Plan judge_proven(const Problem& problem, Path path, const Proof& proof, const std::atomic<bool>* cancel, std::span<const WantedWait> wanted) {
-  return made_of(problem, std::move(path), proof, true, cancel, wanted);
+Plan judge_proven(const Problem& problem, Path path, const Proof& proof, const std::atomic<bool>* cancel, std::span<const WantedWait> wanted, const Pace* pace) {
+  return made_of(problem, std::move(path), proof, true, cancel, wanted, pace);
 }
 
 }  // namespace waywright

@@ -20,7 +20,7 @@ Plan judge(const Problem& problem, Path path, const std::atomic<bool>* cancel = 
 /// The same with the fastest profile, whatever moves: what `verify` holds other times against.
 Plan judge_as_if_nothing_moved(const Problem& problem, Path path);
 /// judge() of a path that was proven elsewhere: samples, speed, metrics and status of it.
-Plan judge_proven(const Problem& problem, Path path, const Proof& proof, const std::atomic<bool>* cancel = nullptr, std::span<const WantedWait> wanted = {});
+Plan judge_proven(const Problem& problem, Path path, const Proof& proof, const std::atomic<bool>* cancel = nullptr, std::span<const WantedWait> wanted = {}, const Pace* pace = nullptr);
 
 /// Clearance of what drives at each sample of a path, m, capped; on the stretch in a shelf's pocket that of everything but the forks.
 std::vector<double> clearances_along(const Problem& problem, const Path& path, const std::vector<Sample>& samples);

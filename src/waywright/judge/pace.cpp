@@ -62,6 +62,36 @@ LimitsAlong part_of(const LimitsAlong& along, std::size_t from, std::size_t to) 
 
 }  // namespace
 
+Pace pace_from(const std::vector<Sample>& samples, std::span<const Wait> waits, double t, double driven) {
+  Pace pace;
+  const auto obstacle_of = [&](double s) {
+    for (const Wait& wait : waits) {
+      if (std::abs(wait.s - s) <= 1e-6) return wait.obstacle;
+    }
+    return std::size_t{0};
+  };
+  const Sample* before = nullptr;
+  for (const Sample& sample : samples) {
+    if (before != nullptr && sample.t > t) {
+      const double way = sample.s - before->s, time = sample.t - before->t;
+      const double s = std::max(0.0, before->s - driven);
+      if (way <= same_place && before->speed == 0.0 && sample.speed == 0.0) {
+        if (time > 0.0) pace.waits.push_back({s, sample.t - t, obstacle_of(before->s)});
+      } else {
+        if (pace.places.empty()) {
+          const double share = way > 0.0 ? std::clamp((driven - before->s) / way, 0.0, 1.0) : 0.0;
+          pace.places.push_back({0.0, std::sqrt(std::max(0.0, before->speed * before->speed + share * (sample.speed * sample.speed - before->speed * before->speed)))});
+        }
+        // From rest to rest it speeds up and slows down within, to twice its mean speed at most.
+        if (before->speed == 0.0 && sample.speed == 0.0 && time > 0.0) pace.places.push_back({std::max(0.0, 0.5 * (before->s + sample.s) - driven), 2.0 * way / time});
+        pace.places.push_back({std::max(0.0, sample.s - driven), sample.speed});
+      }
+    }
+    before = &sample;
+  }
+  return pace;
+}
+
 Timed timed_at_pace(const Problem& problem, const std::vector<Sample>& samples, const LimitsAlong& along, const Pace& pace) {
   Timed timed;
   if (samples.size() < 2) return {samples, {}, {}};

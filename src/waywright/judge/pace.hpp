@@ -19,6 +19,9 @@ struct Pace {
   std::vector<WantedWait> waits;  ///< by rising s
 };
 
+/// The pace of a plan that is being driven, from t seconds and `driven` metres on: its speeds, and where it stands. @pre the samples carry t and speed; t and `driven` are of one place of them
+Pace pace_from(const std::vector<Sample>& samples, std::span<const Wait> waits, double t, double driven);
+
 /// The fastest profile under the vehicle's limits, those along the way and the pace, with the waits. Laws: every limit that assign_speed keeps is kept; a place where the
 /// pace is 0 is driven through at rest. Nothing is said of whether the times are clear of what moves: check_in_time does.
 Timed timed_at_pace(const Problem& problem, const std::vector<Sample>& samples, const LimitsAlong& along, const Pace& pace);

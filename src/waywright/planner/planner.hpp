@@ -118,6 +118,7 @@ struct PlannerDescription {
   bool passes_waypoints = false;   ///< of a mission; others are refused such a mission
   bool takes_free_goals = false;   ///< goals that leave the heading free; likewise
   bool counts_expansions = false;  ///< it keeps a budget of them
+  bool plans_in_time = false;      ///< among what moves: its plans have times of their own
   bool turns_on_the_spot = false;  ///< always: vehicles that cannot are refused
   /// Does it, with these parameters, weigh preferred and penalty zones, and keep to directed ones by itself? Empty: no. (Forbidden ones are obstacles to all, and every path is judged.)
   std::function<bool(const Parameters&)> heeds_zones = {};

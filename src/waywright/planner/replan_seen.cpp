@@ -137,7 +137,10 @@ class Replanning {
     const auto begin = Clock::now();
     const HeldAgainst held = held_against(seen_.still, problem_, rest_.path, cancel_);
     const double held_in = since(begin);
-    if (held.is_free) return kept(held, held_in);
+    if (held.is_free) {
+      auto plan = kept(held, held_in);
+      return plan && plan->status != Status::solved && plans_in_time() ? anew_in_time(std::move(*plan)) : plan;
+    }
     auto plan = mended_or_anew();
     if (!plan) return plan;
     plan->replanned = what_appeared(old_, rest_, seen_.still);
@@ -145,8 +148,14 @@ class Replanning {
   }
 
  private:
+  bool plans_in_time() const {
+    const PlannerDescription* planner = find_planner(problem_.scenario().planner.name);
+    return planner != nullptr && planner->plans_in_time;
+  }
+
   Parsed<Plan> kept(const HeldAgainst& held, double held_in) {
-    Plan plan = judge_proven(problem_, rest_.path, carried_over(old_, problem_, rest_, held), cancel_);
+    const Pace pace = plans_in_time() && old_.planner == problem_.scenario().planner.name ? pace_from(old_.samples, old_.waits, t_, rest_.driven) : Pace{};
+    Plan plan = judge_proven(problem_, rest_.path, carried_over(old_, problem_, rest_, held), cancel_, {}, pace.places.size() > 1 ? &pace : nullptr);
     plan.timing.prove = held_in;
     plan.replanned = what_appeared(old_, rest_, seen_.still);
     const std::size_t n = number_of(seen_.still);
@@ -158,6 +167,20 @@ class Replanning {
       plan.explanation.push_back("What was left of the plan is kept as it is: nothing new stands still.");
     }
     return finish(std::move(plan));
+  }
+
+  /// No times serve what was left: a planner that leaves its way for what moves is asked again.
+  Parsed<Plan> anew_in_time(Plan kept) {
+    auto plan = solve(problem_, cancel_);
+    if (!plan) return plan;
+    if (plan->status != Status::solved) {
+      kept.explanation.push_back(fmt::format("Planned anew from where the vehicle is, there is no better: {}.", plan->reason));
+      return kept;
+    }
+    plan->explanation.insert(plan->explanation.begin(), fmt::format("No times serve what was left of the plan: {}. So the way to the goal is planned anew.", kept.reason));
+    plan->alternatives.push_back(old_way());
+    plan->replanned = what_appeared(old_, rest_, seen_.still);
+    return plan;
   }
 
   Parsed<Plan> finish(Plan plan) {
@@ -276,9 +299,10 @@ class Replanning {
         c.told = fmt::format("the vehicle stops along the old way, in {:.2f} m, and the way to the goal is planned anew from there", found->s);
         c.explanation = of_part("Of the new part", found->plan.explanation);
         candidates.push_back(std::move(c));
-        return std::nullopt;
+        if (!plans_in_time() || problem_.scenario().moving.empty()) return std::nullopt;
+      } else {
+        failed = std::move(found->plan);
       }
-      failed = std::move(found->plan);
     }
     auto plan = solve(problem_, cancel_);
     if (!plan) return plan.error();
@@ -382,9 +406,6 @@ Parsed<Plan> replan(const Plan& old, double t, const SeenObstacles& seen, const 
   const auto was = Problem::prepare(old.scenario);
   if (!was) return tl::unexpected{was.error()};
   const auto rest = rest_of(old, *was, t);
-  if (handover_at(old.path, old.samples, t).is_sliding) {
-    return tl::unexpected{InputError{"", "", fmt::format("{:g} s after the start the vehicle moves and does not face along its path, and nothing is planned from such a motion yet", t), "a time at which it stands"}};
-  }
   if (!rest) return tl::unexpected{InputError{"", "", fmt::format("the forks are in the shelf {:g} s after the start, and nothing is planned anew there", t), "a time at which they are out of it"}};
   const auto problem = Problem::prepare(scenario_now(old, *was, *rest, t, seen));
   if (!problem) return tl::unexpected{problem.error()};

@@ -31,7 +31,7 @@ std::string stop_sentence(const Problem& problem) {
   const EntryMotion& motion = *problem.motion();
   return fmt::format("The vehicle moves {} at {:.2f} m/s when the plan begins: its path begins with the {:.2f} m in which it can stop with the curvature that it has "
                      "({:.3f} 1/m), and what was planned follows.",
-                     motion.direction < 0 ? "backwards" : "forwards", motion.speed, length(problem.stopping_stretch()), motion.curvature);
+                     problem.scenario().start_motion.word(), motion.speed, length(problem.stopping_stretch()), motion.curvature);
 }
 
 std::string wait_sentence(const Problem& problem, const Wait& wait) {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double relative_slack = 1e-6;      // of a limit
 constexpr double curvature_tolerance = 1e-6;  // 1/m, of a curvature that goes on
+constexpr double course_tolerance = 1e-6;     // rad
 constexpr std::size_t most_intervals = 400000;
 constexpr int deepest = 48;                  // halvings
 constexpr double most_turning = 1e3;         // rad, of one curve: its heading loses digits with every turn
@@ -131,8 +132,21 @@ std::optional<Violation> check_entry_motion(const Problem& problem, const Piece&
     return Violation{fmt::format("the vehicle moves {} when the plan begins, and the path begins {}", name(motion->direction), name(first.direction)),
                      problem.first_pose()};
   }
-  if (first.heading) {
-    return Violation{"the vehicle moves along its heading when the plan begins, and the path begins with a heading of its own", problem.first_pose()};
+  if (motion->course.has_value() != first.heading.has_value()) {
+    return Violation{motion->course ? "the vehicle does not face along its way when the plan begins, and the path does not begin with a heading of its own"
+                                    : "the vehicle moves along its heading when the plan begins, and the path begins with a heading of its own",
+                     problem.first_pose()};
+  }
+  if (motion->course) {
+    const double begins_on = start_pose(Piece{first.curve, first.direction, {}}).heading;
+    if (const double off = shorter_turn(*motion->course, begins_on); std::abs(off) > course_tolerance) {
+      return Violation{fmt::format("the vehicle's course is {:.6f} rad when the plan begins, and the path's {:.6f} rad", *motion->course, begins_on), problem.first_pose()};
+    }
+    const double whole = length(first), turning = whole > 0.0 ? first.heading->turn / whole : 0.0;
+    if (problem.vehicle().limits.angular_acceleration && std::abs(turning - motion->turning) > curvature_tolerance) {
+      return Violation{fmt::format("the vehicle turns by {:.6f} rad/m when the plan begins, and on the path by {:.6f} rad/m", motion->turning, turning), problem.first_pose()};
+    }
+    if (!problem.vehicle().steering_takes_time()) return std::nullopt;
   }
   if (std::holds_alternative<PoseSequence>(first.curve) || !problem.vehicle().stands_at_curvature_jumps()) return std::nullopt;  // of poses: judge/entry
   const double begins = start_curvature(first);

@@ -49,6 +49,9 @@ std::string with_limit(double value, std::optional<double> limit, const char* un
 
 std::string motion_words(const StartMotion& motion) {
   if (motion.speed == 0.0) return {};
+  if (motion.course) {
+    return fmt::format("moving with a course of {:.4f} rad at {:.2f} m/s, curvature {:.3f} 1/m, turning {:.3f} rad/s", *motion.course, motion.speed, motion.curvature, motion.angular_velocity);
+  }
   return fmt::format("moving {} at {:.2f} m/s, curvature {:.3f} 1/m", motion.speed < 0.0 ? "backwards" : "forwards", std::abs(motion.speed), motion.curvature);
 }
 

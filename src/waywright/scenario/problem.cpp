@@ -127,7 +127,13 @@ std::optional<InputError> Problem::set_motion() {
   const StartMotion& given = scenario_.start_motion;
   if (given.speed == 0.0) return std::nullopt;
   if (driven_back_) return refuse("start.speed", "the way out of the shelf begins at rest, and start is where it ends", "0");
-  EntryMotion motion{std::abs(given.speed), given.speed < 0.0 ? -1 : 1, given.curvature};
+  EntryMotion motion{std::abs(given.speed), given.speed < 0.0 ? -1 : 1, given.curvature, {}, given.curvature};
+  if (given.course) {
+    if (!vehicle().moves_any_way()) return refuse("start.course", "the vehicle's drive has it face along its way", "a vehicle that can drive in any direction (mecanum), or none");
+    if (given.speed < 0.0) return refuse("start.speed", "it is along start.course, and negative", "0 or more beside start.course");
+    motion.course = wrap(*given.course);
+    motion.turning = given.angular_velocity / motion.speed;
+  }
   const Limits& limits = vehicle().limits;
   const double most = motion.direction < 0 ? limits.reverse_speed : limits.speed;
   constexpr double measured = 1e-3;  // share of the speed
@@ -139,10 +145,10 @@ std::optional<InputError> Problem::set_motion() {
                   fmt::format("at most {} 1/m to either side", vehicle().max_curvature()));
   }
   double deceleration = limits.deceleration;
-  if (limits.angular_acceleration) deceleration = std::min(deceleration, *limits.angular_acceleration / std::abs(motion.curvature));
+  if (limits.angular_acceleration) deceleration = std::min(deceleration, *limits.angular_acceleration / std::abs(motion.turning));
   constexpr double reserve = 1e-9;  // share of it, for rounding
   const double distance = motion.speed * motion.speed / (2.0 * deceleration) * (1.0 + reserve);
-  const double course = motion.direction < 0 ? wrap(rest_.heading + pi) : rest_.heading;
+  const double course = motion.course ? *motion.course : motion.direction < 0 ? wrap(rest_.heading + pi) : rest_.heading;
   constexpr double shortest = 1e-6;  // m: what stops within it stands
   if (distance < shortest) return std::nullopt;
   constexpr double longest = 1e4;  // m
@@ -154,8 +160,9 @@ std::optional<InputError> Problem::set_motion() {
   } else {
     stopping_ = Piece{Arc{make_pose(rest_.position(), course), motion.curvature, distance}, motion.direction};
   }
+  if (motion.course) stopping_->heading = HeadingAlong{scenario_.start.heading, motion.turning * distance};
   rest_ = end_pose(*stopping_);
-  if (motion.curvature == 0.0) rest_.heading = scenario_.start.heading;
+  if (motion.turning == 0.0) rest_.heading = scenario_.start.heading;
   motion_ = motion;
   return std::nullopt;
 }
@@ -250,13 +257,13 @@ std::optional<Failure> Problem::check_motion() const {
   const double bend = std::abs(motion_->curvature);
   double most = std::numeric_limits<double>::infinity();
   if (limits.lateral_acceleration) most = std::min(most, std::sqrt(*limits.lateral_acceleration / bend));
-  if (limits.angular_speed) most = std::min(most, *limits.angular_speed / bend);
+  if (limits.angular_speed) most = std::min(most, *limits.angular_speed / std::abs(motion_->turning));
   if (motion_->speed <= most * (1.0 + slack)) return std::nullopt;
   Failure failure;
   failure.status = Status::no_path;
   failure.pose = scenario_.start;
-  failure.reason = fmt::format("the vehicle begins at {:.4f} m/s with a curvature of {:.4f} 1/m, where its limits of lateral acceleration and angular speed allow {:.4f} m/s",
-                               motion_->speed, motion_->curvature, most);
+  failure.reason = fmt::format("the vehicle begins at {:.4f} m/s with a curvature of {:.4f} 1/m{}, where its limits of lateral acceleration and angular speed allow {:.4f} m/s",
+                               motion_->speed, motion_->curvature, motion_->course ? fmt::format(" and turns by {:.4f} rad/m", motion_->turning) : std::string{}, most);
   return failure;
 }
 

@@ -17,6 +17,8 @@ struct EntryMotion {
   double speed = 0.0;      ///< m/s, > 0
   int direction = 1;       ///< +1 forward, −1 backward
   double curvature = 0.0;  ///< 1/m in the direction of travel
+  std::optional<double> course{};  ///< rad, direction of travel of one that does not face along its way
+  double turning = 0.0;    ///< rad/m, change of the heading along the way
 };
 
 class Problem {

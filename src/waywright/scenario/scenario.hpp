@@ -62,8 +62,12 @@ struct Station {
 
 /// How the vehicle moves when the plan begins.
 struct StartMotion {
-  double speed = 0.0;      ///< m/s along the heading, backwards negative; 0: it stands
+  double speed = 0.0;      ///< m/s along the heading, backwards negative, or along the course; 0: it stands
   double curvature = 0.0;  ///< 1/m of its way, in the direction of travel, left positive; of one that stands: no matter, it can steer first
+  std::optional<double> course{};  ///< rad, direction of travel of one that does not face along its way (holonomic); empty: it faces along
+  double angular_velocity = 0.0;   ///< rad/s, of the heading of one with a course; what faces along turns with its way
+  /// How it moves, for sentences. @pre it does
+  const char* word() const { return course ? "without facing along its way" : speed < 0.0 ? "backwards" : "forwards"; }
 };
 
 /// The vehicle's origin ends there with any heading: at a point, or anywhere in a region.

@@ -10,8 +10,21 @@ namespace {
 
 constexpr double least_left = 1e-4;  // m
 constexpr double passed_by = 2e-9;   // m into a piece: a turn on the spot before it is over
+constexpr double at_rest = 1e-6;     // m/s
+constexpr double same_place = 1e-6;  // m
+
+/// Whether the vehicle stands where piece i ends, s metres on the way: it changes direction or turns there, or its speed comes down to nothing.
+bool stands_after(const Path& path, std::size_t i, const std::vector<Sample>& samples, double s) {
+  if (i + 1 >= path.pieces.size() || path.pieces[i + 1].direction != path.pieces[i].direction) return true;
+  const auto from = std::lower_bound(samples.begin(), samples.end(), s - same_place, [](const Sample& a, double value) { return a.s < value; });
+  for (auto at = from; at != samples.end() && at->s <= s + same_place; ++at) {
+    if (at->speed <= at_rest) return true;
+  }
+  return false;
+}
 
 }  // namespace
+
 Handover handover_at(const Path& path, const std::vector<Sample>& samples, double t) {
   Handover handover;
   if (samples.empty() || path.pieces.empty()) return handover;
@@ -43,14 +56,19 @@ Handover handover_at(const Path& path, const std::vector<Sample>& samples, doubl
       break;
     }
     handover.driven = end;
-    speed = 0.0;
+    if (stands_after(path, i, samples, end)) speed = 0.0;
     break;
   }
   const Path rest = remainder(path, handover.driven);
   const Piece& first = rest.pieces.front();
   handover.pose = start_pose(first);
-  handover.is_sliding = speed > 0.0 && first.heading.has_value();
-  if (speed > 0.0) handover.motion = {first.direction < 0 ? -speed : speed, start_curvature(first)};
+  if (speed > 0.0) {
+    handover.motion = {first.direction < 0 ? -speed : speed, start_curvature(first)};
+    if (first.heading) {
+      handover.motion.course = start_pose(Piece{first.curve, first.direction, {}}).heading;
+      handover.motion.angular_velocity = first.heading->turn / length(first) * speed;
+    }
+  }
   return handover;
 }
 

@@ -15,10 +15,10 @@ struct Handover {
   Pose pose{};
   StartMotion motion;
   bool is_turning = false;  ///< on the spot: no place of the way says how far
-  bool is_sliding = false;  ///< moves, and does not face along: a start's motion cannot tell that, and `motion` is not what it does
 };
 
-/// Where the samples have the vehicle after t seconds (clamped to their time). Within 0.1 mm of the end of a piece it is taken to stand there.
+/// Where the samples have the vehicle after t seconds (clamped to their time). Within 0.1 mm before the end of a piece it is taken to be there, and to stand where the
+/// samples have it stand there; where it drives on, its curvature is that of the next piece.
 /// @pre the samples are the path's, with t and speed
 Handover handover_at(const Path& path, const std::vector<Sample>& samples, double t);
 

@@ -103,7 +103,7 @@ SideOutcome outcome_of(const PreparedDocking& prepared, const TransitionZone& zo
 std::vector<std::string> entry_sentences(const Problem& problem, const PatternSolver& solver) {
   const auto& motion = problem.motion();
   if (!motion) return {};
-  const char* way = motion->direction < 0 ? "backwards" : "forwards";
+  const char* way = problem.scenario().start_motion.word();
   if (!solver.can_stop() && !solver.in_motion()) return {};
   if (solver.in_motion()) {
     return {fmt::format("The vehicle moves {} at {:.2f} m/s with a curvature of {:.3f} 1/m when the plan begins, and goes on from there without stopping.", way,

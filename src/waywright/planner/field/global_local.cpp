@@ -232,6 +232,7 @@ PlannerDescription global_local_description() {
         return GlobalLocalPlanner{o};
       }};
   description.takes_free_goals = true;
+  description.plans_in_time = true;
   description.turns_on_the_spot = true;
   description.counts_expansions = true;
   return description;
