@@ -21,6 +21,7 @@ using grid::failure;
 constexpr std::int64_t usual_cells = 100'000;       // solved in some tenths of a second
 constexpr double step_of_cell = 0.5;
 constexpr double thinning = 0.1;                    // of a cell
+constexpr double stub_of_cell = 3.0;                // so near to start and goal middles of cells are not turned aside for
 
 }  // namespace
 
@@ -69,7 +70,7 @@ class HarmonicPlanner::Ready {
     if (!ends->is_region) points.push_back(ends->goal.at);
     std::vector<std::string> text{fmt::format("Along a streamline of the harmonic potential on {} of {:g} m, which walls draw off at {:g} of what a free neighbour does: it has no local minimum but the goal.",
                                               counted(field.unknowns(), "free cell"), frame_.cell, options.field.absorption)};
-    PlanningResult plan = finished_plan(space_, rounded_path(space_, ends->start, thinned_way(space_, points, thinning * frame_.cell), ends->goal), ends->start, ends->goal, std::move(text), budget);
+    PlanningResult plan = finished_plan(space_, rounded_path(space_, ends->start, thinned_way(space_, without_stubs(space_, std::move(points), stub_of_cell * frame_.cell), thinning * frame_.cell), ends->goal), ends->start, ends->goal, std::move(text), budget);
     if (plan) plan->field = harmonic_drawing(shared);
     return plan;
   }

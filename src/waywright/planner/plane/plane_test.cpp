@@ -3,6 +3,7 @@
 #include "waywright/core/random.hpp"
 #include "waywright/planner/plane/plane_ends.hpp"
 #include "waywright/planner/plane/point_bins.hpp"
+#include "waywright/planner/plane/rounded_way.hpp"
 #include "waywright/planner/plane/view.hpp"
 
 namespace waywright {
@@ -155,6 +156,34 @@ TEST(PlaneEnds, ARunLeadsOutOfWhereTheDiscCannotStand) {
   const auto backwards = plane_start(other);
   ASSERT_TRUE(backwards);
   EXPECT_EQ(backwards->run, -1);
+}
+
+// A way over middles of cells does not turn aside for those beside its ends, and is free and no longer as before.
+TEST(PlaneEnds, StubsAtTheEndsAreLeftOut) {
+  Random random{23};
+  const Problem problem = hall(random, 0.2, 8);
+  const PlaneSpace space{problem};
+  int shorter = 0;
+  for (int i = 0; i < 400; ++i) {
+    std::vector<Vec2> points{{0.6, 0.6}};
+    while (points.size() < 40) {
+      const Vec2 next = points.back() + 0.05 * Vec2{random.uniform(-1, 3), random.uniform(-1, 3)};
+      if (space.is_free(points.back(), next)) points.push_back(next);
+      else if (random.uniform(0, 1) < 0.2) break;
+    }
+    if (points.size() < 2) continue;
+    const std::vector<Vec2> way = without_stubs(space, points, 0.3);
+    EXPECT_EQ(way.front(), points.front());
+    EXPECT_EQ(way.back(), points.back());
+    EXPECT_LE(length_of_way(way), length_of_way(points) + 1e-12);
+    shorter += way.size() < points.size() ? 1 : 0;
+    for (std::size_t k = 1; k < way.size(); ++k) EXPECT_TRUE(space.is_free(way[k - 1], way[k]));
+  }
+  EXPECT_GT(shorter, 300);
+  const std::vector<Vec2> zigzag{{1, 1}, {1.05, 1.08}, {2, 1.1}, {3, 1.0}, {3.02, 1.06}, {3.1, 1}};
+  const Problem empty = hall(random, 0.0, 0);
+  EXPECT_EQ(without_stubs(PlaneSpace{empty}, zigzag, 0.2), (std::vector<Vec2>{{1, 1}, {2, 1.1}, {3.1, 1}}));
+  EXPECT_EQ(without_stubs(PlaneSpace{empty}, {{1, 1}, {2, 1}}, 5.0), (std::vector<Vec2>{{1, 1}, {2, 1}}));
 }
 
 TEST(PlaneEnds, TautWaysKeepTheirEndsAndAreNeverLonger) {

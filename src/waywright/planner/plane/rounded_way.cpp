@@ -140,4 +140,17 @@ std::vector<Vec2> thinned_way(const PlaneSpace& space, const std::vector<Vec2>& 
   return kept;
 }
 
+std::vector<Vec2> without_stubs(const PlaneSpace& space, std::vector<Vec2> points, double reach) {
+  for (int side = 0; side < 2; ++side) {  // its end, then turned about its beginning
+    const Vec2 end = points.back();
+    std::size_t first = points.size() - 1;  // of those that are within reach up to the end
+    while (first > 0 && distance(points[first - 1], end) <= reach) --first;
+    std::size_t from = first > 0 ? first - 1 : 0;
+    while (from + 2 < points.size() && !space.is_free(points[from], end)) ++from;
+    if (from + 2 < points.size()) points.erase(points.begin() + static_cast<std::ptrdiff_t>(from) + 1, points.end() - 1);
+    std::reverse(points.begin(), points.end());
+  }
+  return points;
+}
+
 }  // namespace waywright

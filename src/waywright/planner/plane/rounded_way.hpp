@@ -22,4 +22,8 @@ Path driven_way(const PlaneSpace& space, const std::vector<Vec2>& points, double
 /// Fewer points: of a run of them that stays within `tolerance` m of the line between its ends the ends alone, where that line is free. The same ends.
 std::vector<Vec2> thinned_way(const PlaneSpace& space, const std::vector<Vec2>& points, double tolerance);
 
+/// Corners within `reach` m of an end are left out where the straight way from the last one outside to the end is free: middles of cells beside start and goal, for which
+/// nobody need turn aside. Law: never longer; the first and the last point stay. @pre at least two points
+std::vector<Vec2> without_stubs(const PlaneSpace& space, std::vector<Vec2> points, double reach);
+
 }  // namespace waywright
