@@ -16,6 +16,7 @@
 #include "waywright/planner/docking/continuation.hpp"
 #include "waywright/planner/rest_of_plan.hpp"
 #include "waywright/planner/solve_words.hpp"
+#include "waywright/proof/proof.hpp"
 
 namespace waywright {
 namespace {
@@ -88,32 +89,6 @@ Replanned what_appeared(const Plan& old, const RestOfPlan& rest, const Map& stil
   return replanned;
 }
 
-/// What of the old certificate still holds of a part of its path, together with what is new.
-Proof carried_over(const Plan& old, const Problem& problem, const RestOfPlan& rest, const HeldAgainst& held) {
-  Proof proof;
-  proof.measurable = true;
-  Certificate& c = proof.certificate;
-  c = old.certificate;
-  c.checked_length = length(rest.path);
-  if (!problem.pocket()) c.pocket_clearance = std::nullopt;  // behind the vehicle
-  const auto look = [&](const Pose& pose) { return problem.world().clearance(problem.footprint(), pose, clearance_cap); };
-  if (held.clearance < c.clearance) {
-    c.clearance = held.clearance;
-    c.tightest = held.tightest;
-  } else if (c.tightest) {
-    // Where it was tightest may lie behind the vehicle.
-    const std::vector<Sample> ahead = sample(rest.path, problem.footprint().radius(), c.tolerance);
-    const bool is_ahead = std::any_of(ahead.begin(), ahead.end(), [&](const Sample& s) { return distance(s.pose().position(), c.tightest->position()) <= sample_step; });
-    if (!is_ahead) c.tightest = std::nullopt;
-  }
-  if (c.tightest) {
-    const Contact contact = look(*c.tightest);
-    c.tightest_point = contact.point;
-    c.tightest_source = contact.source;
-  }
-  return proof;
-}
-
 /// A way that could be driven from here on.
 struct Candidate {
   std::string name, told;
@@ -136,9 +111,9 @@ class Replanning {
     }
     const auto begin = Clock::now();
     const HeldAgainst held = held_against(seen_.still, problem_, rest_.path, cancel_);
-    const double held_in = since(begin);
-    if (held.is_free) {
-      auto plan = kept(held, held_in);
+    // A curve that is cut has other bounds than it had, by less than the tolerance; so what is kept is proven again.
+    if (const Proof proof = held.is_free ? prove(problem_, rest_.path, {.cancel = cancel_}) : Proof{}; proof.holds()) {
+      auto plan = kept(held, proof, since(begin));
       return plan && plan->status != Status::solved && plans_in_time() ? anew_in_time(std::move(*plan)) : plan;
     }
     auto plan = mended_or_anew();
@@ -153,16 +128,15 @@ class Replanning {
     return planner != nullptr && planner->plans_in_time;
   }
 
-  Parsed<Plan> kept(const HeldAgainst& held, double held_in) {
+  Parsed<Plan> kept(const HeldAgainst& held, const Proof& proof, double proven_in) {
     const Pace pace = plans_in_time() && old_.planner == problem_.scenario().planner.name ? pace_from(old_.samples, old_.waits, t_, rest_.driven) : Pace{};
-    Plan plan = judge_proven(problem_, rest_.path, carried_over(old_, problem_, rest_, held), cancel_, {}, pace.places.size() > 1 ? &pace : nullptr);
-    plan.timing.prove = held_in;
+    Plan plan = judge_proven(problem_, rest_.path, proof, cancel_, {}, pace.places.size() > 1 ? &pace : nullptr);
+    plan.timing.prove = proven_in;
     plan.replanned = what_appeared(old_, rest_, seen_.still);
     const std::size_t n = number_of(seen_.still);
     if (n > 0) {
-      plan.explanation.push_back(fmt::format("What was left of the plan is kept as it is: {} that stand{} still {} no nearer to it than {:.3f} m. Only the new was looked at, {} along {:.2f} m; what was proven of "
-                                             "everything else carries over.",
-                                             counted(n, "new obstacle"), n == 1 ? "s" : "", n == 1 ? "comes" : "come", held.clearance, counted(static_cast<std::size_t>(held.queries), "question"), length(rest_.path)));
+      plan.explanation.push_back(fmt::format("What was left of the plan is kept as it is: {} that stand{} still {} no nearer to it than {:.3f} m.", counted(n, "new obstacle"), n == 1 ? "s" : "",
+                                             n == 1 ? "comes" : "come", held.clearance));
     } else {
       plan.explanation.push_back("What was left of the plan is kept as it is: nothing new stands still.");
     }

@@ -12,7 +12,7 @@ namespace waywright {
 /// The plan from where the vehicle is `t` seconds after the start of `old`, among what has been seen.
 ///
 /// What stands still becomes part of the map; then, of these the first that serves:
-/// (1) what is left of the old path is free of it: it is kept, curve for curve. Only what is new was looked at; what was proven of the rest carries over.
+/// (1) what is left of the old path is free of it: it is kept, curve for curve, and proven again.
 /// (2) The old path is mended: left before what blocks it, by a way of the scenario's planner that joins it again behind; or the way to the goal is planned anew, from the first
 ///     place where the vehicle can stand (planners that can go on in motion do). Whichever is driven sooner.
 /// (3) Neither: the status of the way planned anew, with how far the vehicle is from what blocks it and what it needs to stop.

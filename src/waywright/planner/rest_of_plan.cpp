@@ -68,8 +68,6 @@ HeldAgainst held_against(const Map& still, const Problem& problem, const Path& w
   HeldAgainst held;
   held.clearance = std::max(0.0, swept.lower - problem.pose_error_margin());
   held.is_free = swept.complete && swept.lower > problem.pose_error_margin() && held.clearance >= problem.scenario().clearance - comparison_slack;
-  held.tightest = swept.tightest;
-  held.point = swept.contact.point;
   held.queries = swept.queries;
   return held;
 }

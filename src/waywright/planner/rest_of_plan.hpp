@@ -29,8 +29,6 @@ double time_at(const std::vector<Sample>& samples, double s);
 struct HeldAgainst {
   bool is_free = false;        ///< by the scenario's clearance, at every pose within the pose error
   double clearance = 0.0;      ///< m
-  std::optional<Pose> tightest;
-  Vec2 point{};                ///< the obstacle's, there
   std::int64_t queries = 0;
 };
 HeldAgainst held_against(const Map& still, const Problem& problem, const Path& way, const std::atomic<bool>* cancel);
