@@ -13,6 +13,8 @@
 #include "waywright/planner/registry.hpp"
 #include "waywright/planner/replan.hpp"
 #include "waywright/planner/replan_seen.hpp"
+#include "waywright/planner/rest_of_plan.hpp"
+#include "waywright/speed/speed.hpp"
 
 namespace waywright {
 namespace {
@@ -174,6 +176,169 @@ TEST(ReplanSliding, SomebodyWhoComesIsPassedInTime) {
     expect_goes_on(old, *plan, t);
   }
   EXPECT_GE(2 * solved, all) << all;
+}
+
+/// As the samples have it at a time, headings too.
+Pose pose_at(const std::vector<Sample>& samples, double t) {
+  const auto after = std::upper_bound(samples.begin(), samples.end(), t, [](double time, const Sample& s) { return time < s.t; });
+  if (after == samples.begin() || after == samples.end()) return after == samples.begin() ? samples.front().pose() : samples.back().pose();
+  const Sample &a = *std::prev(after), &b = *after;
+  const WithinStep within = within_step(a, b, t - a.t);
+  const double share = b.s > a.s ? within.way / (b.s - a.s) : b.t > a.t ? (t - a.t) / (b.t - a.t) : 0.0;
+  return make_pose(a.pose().position() + share * (b.pose().position() - a.pose().position()), wrap(a.heading + share * shorter_turn(a.heading, b.heading)));
+}
+
+// Wherever on a plan with turns on the spot and waits, also right after a turn, in turns of several pieces, and while it stands before or after one: the vehicle begins as it is.
+TEST(ReplanSliding, ItBeginsWhereAndAsTheVehicleIsAtEveryTime) {
+  Scenario crossed = example("moving_hall.json");
+  Scenario tugger = example("grid_tugger.json");
+  tugger.planner = {"clearance_optimal", {}};
+  Scenario cells = hall();
+  cells.vehicle.drive = Differential{0.4};
+  cells.planner = {"astar", {}};
+  SeenObstacles far;
+  far.still.points = {{300, 300}};
+  int turning = 0;
+  for (const Scenario& s : {crossed, tugger, cells}) {
+    const Plan old = planned(s);
+    ASSERT_FALSE(old.samples.empty());
+    const Problem was = Problem::prepare(old.scenario).value();
+    const double end = old.samples.back().t;
+    std::vector<double> times;
+    for (double t = 0.0; t < end; t += 0.01) times.push_back(t);
+    for (const Sample& at : old.samples) {
+      for (const double t : {at.t, at.t + 0.003}) {
+        if (t < end) times.push_back(t);
+      }
+    }
+    for (const double t : times) {
+      const auto rest = rest_of(old, was, t);
+      ASSERT_TRUE(rest);
+      const Pose is = start_pose(rest->path), should = pose_at(old.samples, t);
+      ASSERT_NEAR(distance(is.position(), should.position()), 0.0, 1.5e-3) << s.name << ' ' << t;  // of chords, and 0.1 mm
+      ASSERT_NEAR(shorter_turn(is.heading, should.heading), 0.0, 5e-3) << s.name << ' ' << t;
+      turning += rest->stopping.pieces.empty() ? 0 : 1;
+      if (!rest->stopping.pieces.empty()) {
+        ASSERT_TRUE(start_pose(rest->stopping) == is);
+      }
+    }
+    for (double t = 0.37; t < end; t += 1.31) {
+      const auto plan = replan(old, t, far);
+      ASSERT_TRUE(plan) << plan.error().message();
+      EXPECT_EQ(plan->status, Status::solved) << s.name << ' ' << t << plan->reason;
+      EXPECT_TRUE(plan->status != Status::solved || verify(*plan).value().holds) << t;
+    }
+  }
+  EXPECT_GT(turning, 100);
+}
+
+// Who turns on the spot cannot stand at once: what is planned anew begins where the turn ends at the soonest, and what stands in it is told.
+TEST(ReplanSliding, ATurnOnTheSpotComesToRest) {
+  Scenario s = hall();
+  s.map.obstacles.clear();
+  s.vehicle.drive = Differential{0.4};
+  s.start = {6, 3, 0};
+  s.mission = Pose{1.5, 3, pi};
+  s.planner = {"visibility_graph", {}};
+  const Plan old = planned(s);
+  ASSERT_EQ(old.samples.front().direction, 0);
+  const double t = 1.0, slows_down_by = *s.vehicle.limits.angular_acceleration;  // 3 rad/s²: it turns at its limit of 1.5 rad/s
+  const auto rest = rest_of(old, Problem::prepare(s).value(), t);
+  ASSERT_TRUE(rest);
+  EXPECT_GE(rest->turning, 1.4);
+  const double angle = std::abs(std::get<Turn>(rest->stopping.pieces.front().curve).angle);
+  EXPECT_NEAR(angle, 0.5 * rest->turning * rest->turning / slows_down_by, 1e-9);
+  EXPECT_LT(angle, 0.6);
+  // Something on the way to the goal, not in the turn: the new way begins with the stop.
+  SeenObstacles ahead;
+  ahead.still.obstacles = {rectangle({3.0, 2.5}, {3.4, 3.5})};
+  const Plan around = replan(old, t, ahead).value();
+  expect_sound(around);
+  const auto* first = std::get_if<Turn>(&around.path.pieces.front().curve);
+  ASSERT_NE(first, nullptr);
+  EXPECT_GE(std::abs(first->angle), angle - 1e-9);
+  EXPECT_GT(first->angle * std::get<Turn>(rest->stopping.pieces.front().curve).angle, 0.0);
+  // A point in front of the corner that sweeps, 0.2 rad ahead.
+  const Pose then = rest->pose;
+  double most = 0.0;
+  Vec2 swept{};
+  for (const Vec2 p : s.vehicle.footprint.polygon) {
+    if (norm(p) > most) {
+      most = norm(p);
+      swept = p;
+    }
+  }
+  const double sense = std::copysign(0.2, std::get<Turn>(rest->stopping.pieces.front().curve).angle);
+  SeenObstacles in_it;
+  in_it.still.points = {then.position() + (most - 0.01) * unit(angle_of(swept) + then.heading + sense)};
+  const Plan blocked = replan(old, t, in_it).value();
+  EXPECT_NE(blocked.status, Status::solved);
+  EXPECT_FALSE(blocked.reason.empty());
+}
+
+// Times at which nothing new happened: what was seen long ago is as uncertain as it was.
+TEST(ReplanSliding, WhatNobodyHasSeenAgainStaysUncertain) {
+  MovingObstacle cart;
+  cart.footprint.disc = 0.3;
+  cart.track = {{0.0, make_pose({1, 1}, 0.0)}, {20.0, make_pose({5, 1}, 0.0)}};
+  cart.spread = 0.05;
+  const MovingObstacle later = seen_from(cart, 12.0);
+  EXPECT_DOUBLE_EQ(later.seen, -12.0);
+  for (const double t : {0.0, 3.0, 30.0}) {
+    EXPECT_DOUBLE_EQ(later.off_by(t), cart.off_by(t + 12.0));
+    EXPECT_NEAR(distance(later.at(t).position(), cart.at(t + 12.0).position()), 0.0, 1e-12);
+  }
+  EXPECT_DOUBLE_EQ(seen_from(later, 5.0).off_by(1.0), cart.off_by(18.0));
+}
+
+// A file whose vehicle stops or starts at once, or stands while it drives, does not verify.
+TEST(ReplanSliding, NobodyStopsWithinNothing) {
+  const Plan plan = planned(example("goal_pose.json"));
+  ASSERT_TRUE(verify(plan).value().holds);
+  const auto with_stand = [&](double speed_before, double speed_after, double time) {
+    Plan lie = plan;
+    std::size_t k = 0;
+    while (!(lie.samples[k].speed > 0.3 && lie.samples[k + 1].s > lie.samples[k].s)) ++k;
+    const double v = lie.samples[k].speed;
+    Sample stands = lie.samples[k];
+    stands.speed = speed_before * v;
+    Sample last = stands;
+    last.t += time;
+    last.speed = speed_after * v;
+    Sample goes = last;
+    goes.speed = v;
+    lie.samples.insert(lie.samples.begin() + static_cast<std::ptrdiff_t>(k) + 1, {stands, last, goes});
+    for (std::size_t i = k + 4; i < lie.samples.size(); ++i) lie.samples[i].t += time;
+    lie.metrics.travel_time = lie.samples.back().t;
+    return verify(lie).value().holds;
+  };
+  EXPECT_TRUE(with_stand(1.0, 1.0, 0.0));
+  EXPECT_FALSE(with_stand(0.0, 0.0, 10.0));
+  EXPECT_FALSE(with_stand(1.0, 1.0, 10.0));
+}
+
+TEST(ReplanSliding, TurnsAreNoWaitsOfOwnTimes) {
+  for (const char* name : {"moving_hall.json", "goal_pose.json", "grid_tugger.json"}) {
+    Scenario s = example(name);
+    s.planner = {"global_local", {}};
+    const Plan old = planned(s);
+    if (old.status != Status::solved) continue;
+    SeenObstacles far;
+    far.still.points = {{300, 300}};
+    for (const double share : {0.0, 0.11, 0.5}) {
+      const double t = share * old.samples.back().t;
+      const auto plan = replan(old, t, far);
+      ASSERT_TRUE(plan) << plan.error().message();
+      ASSERT_EQ(plan->status, Status::solved) << name << plan->reason;
+      EXPECT_NEAR(plan->samples.back().t, old.samples.back().t - t, 0.35) << name << ' ' << t;
+    }
+  }
+}
+
+TEST(ReplanSliding, TurningWhereItStandsIsNoStart) {
+  Scenario s = hall();
+  s.start_motion = {0.0, 0.0, 0.0, 1.4};
+  EXPECT_EQ(Problem::prepare(s).error().field, "start.angular_velocity");
 }
 
 TEST(ReplanSliding, AStartThatCannotBeIsRefused) {

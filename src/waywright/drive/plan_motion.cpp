@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "waywright/speed/speed.hpp"
+
 namespace waywright {
 namespace {
 
 // As the profile has them (speed/speed.cpp).
 constexpr double same_place = 1e-9;                   // m
 constexpr double turning_threshold = 1e-4;            // rad
-constexpr double default_angular_acceleration = 1.0;  // rad/s²
 
 /// What is done of `whole` after `time` of `duration`, from rest to rest, speeding up and slowing down at these rates as far as they allow it.
 double trapezoid(double time, double duration, double whole, double acceleration, double deceleration) {

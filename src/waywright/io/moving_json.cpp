@@ -49,7 +49,7 @@ MovingObstacle read_one(const Node& node, std::vector<std::string>& notes) {
     node.fail(fmt::format("it is {}", kind_of(node.json())), "an object");
     return obstacle;
   }
-  if (!node.is_object_of({"name", "footprint", "track", "velocity", "spread", "range", "free_for", "patience"})) return obstacle;
+  if (!node.is_object_of({"name", "footprint", "track", "velocity", "spread", "seen", "range", "free_for", "patience"})) return obstacle;
   if (node.has("name")) obstacle.name = node.at("name").text();
   obstacle.footprint = read_footprint(node.at("footprint"), notes, largest_coordinate);
   if (node.has("track")) obstacle.track = read_track(node.at("track"));
@@ -58,6 +58,7 @@ MovingObstacle read_one(const Node& node, std::vector<std::string>& notes) {
     if (node.has(field)) value = node.at(field).number(0.0, high);
   };
   read("spread", obstacle.spread, fastest_obstacle);
+  if (node.has("seen")) obstacle.seen = node.at("seen").number(-latest_time, 0.0);
   read("range", obstacle.range, 1e3);
   read("free_for", obstacle.free_for, latest_time);
   read("patience", obstacle.patience, latest_time);
@@ -96,6 +97,7 @@ Json moving_to_json(const std::vector<MovingObstacle>& moving) {
     j["track"] = std::move(track);
     j["velocity"] = to_json(obstacle.velocity);
     j["spread"] = obstacle.spread;
+    if (obstacle.seen != 0.0) j["seen"] = obstacle.seen;
     j["range"] = obstacle.range;
     j["free_for"] = obstacle.free_for;
     j["patience"] = obstacle.patience;

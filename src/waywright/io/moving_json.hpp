@@ -9,7 +9,7 @@
 
 namespace waywright {
 
-/// An array of {"name", "footprint", "track": [[t, x, y] or [t, x, y, heading], …], "velocity", "spread", "range", "free_for", "patience"}. What was repaired in a polygon goes
+/// An array of {"name", "footprint", "track": [[t, x, y] or [t, x, y, heading], …], "velocity", "spread", "seen", "range", "free_for", "patience"}. What was repaired in a polygon goes
 /// into the notes.
 std::vector<MovingObstacle> read_moving(const Node& node, std::vector<std::string>& notes);
 Json moving_to_json(const std::vector<MovingObstacle>& moving);

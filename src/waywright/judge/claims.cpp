@@ -247,7 +247,11 @@ class SampleCheck {
       return at(c, fmt::format("the step takes {:.4f} s, and under the vehicle's limits at least {:.4f} s",
                                time, fastest));
     }
-    if (length <= same_place) return std::nullopt;
+    if (length <= same_place) {
+      if (std::abs(c.speed - b.speed) > relative_slack * (b.speed + c.speed) + number_slack) return at(c, fmt::format("at one place the speed goes from {:.4f} to {:.4f} m/s", b.speed, c.speed));
+      if (time > number_slack && mean > number_slack) return at(c, fmt::format("for {:.4f} s it drives {:.4f} m/s and stays where it is", time, mean));
+      return std::nullopt;
+    }
     if (mean > 0.0) {
       if (std::abs(time * mean - length) > relative_slack * length + number_slack)
         return at(c, "time does not fit the speeds");

@@ -8,6 +8,8 @@ namespace waywright {
 namespace {
 
 constexpr double same_place = 1e-9;   // m
+constexpr double no_turn = 1e-9;      // rad
+constexpr double of_wait = 1e-6;      // m, between a wait that is told and the samples that stand
 constexpr double least_speed = 1e-3;  // m/s: of a step between two places where the pace is nearly 0
 constexpr double told_from = 0.5;     // s: shorter stops are no waits in words and pictures
 
@@ -64,31 +66,30 @@ LimitsAlong part_of(const LimitsAlong& along, std::size_t from, std::size_t to) 
 
 Pace pace_from(const std::vector<Sample>& samples, std::span<const Wait> waits, double t, double driven) {
   Pace pace;
-  const auto obstacle_of = [&](double s) {
-    for (const Wait& wait : waits) {
-      if (std::abs(wait.s - s) <= 1e-6) return wait.obstacle;
+  double stood = 0.0, turned = 0.0;  // s at one place, since t
+  const auto leave = [&](double s, double at) {
+    // It turns when it has stood: the profile knows where it stands, not in which order.
+    if (stood > 0.0) {
+      const auto wait = std::find_if(waits.begin(), waits.end(), [&](const Wait& w) { return std::abs(w.s - s) <= of_wait; });
+      pace.waits.push_back({std::max(0.0, s - driven), at - t - turned, wait == waits.end() ? 0 : wait->obstacle});
     }
-    return std::size_t{0};
+    stood = turned = 0.0;
   };
-  const Sample* before = nullptr;
-  for (const Sample& sample : samples) {
-    if (before != nullptr && sample.t > t) {
-      const double way = sample.s - before->s, time = sample.t - before->t;
-      const double s = std::max(0.0, before->s - driven);
-      if (way <= same_place && before->speed == 0.0 && sample.speed == 0.0) {
-        if (time > 0.0) pace.waits.push_back({s, sample.t - t, obstacle_of(before->s)});
-      } else {
-        if (pace.places.empty()) {
-          const double share = way > 0.0 ? std::clamp((driven - before->s) / way, 0.0, 1.0) : 0.0;
-          pace.places.push_back({0.0, std::sqrt(std::max(0.0, before->speed * before->speed + share * (sample.speed * sample.speed - before->speed * before->speed)))});
-        }
-        // From rest to rest it speeds up and slows down within, to twice its mean speed at most.
-        if (before->speed == 0.0 && sample.speed == 0.0 && time > 0.0) pace.places.push_back({std::max(0.0, 0.5 * (before->s + sample.s) - driven), 2.0 * way / time});
-        pace.places.push_back({std::max(0.0, sample.s - driven), sample.speed});
-      }
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const Sample &a = samples[i - 1], &b = samples[i];
+    if (!(b.t > t)) continue;
+    const double way = b.s - a.s, begin = std::max(a.t, t);
+    if (way <= same_place) {
+      (std::abs(shorter_turn(a.heading, b.heading)) > no_turn ? turned : stood) += b.t - begin;
+      continue;
     }
-    before = &sample;
+    leave(a.s, a.t);
+    if (pace.places.empty()) pace.places.push_back({0.0, within_step(a, b, begin - a.t).speed});
+    const double middle = 0.5 * (a.t + b.t);
+    if (a.speed == 0.0 && b.speed == 0.0 && middle > t) pace.places.push_back({std::max(0.0, a.s + 0.5 * way - driven), within_step(a, b, middle - a.t).speed});
+    pace.places.push_back({std::max(0.0, b.s - driven), b.speed});
   }
+  if (!samples.empty()) leave(samples.back().s, samples.back().t);
   return pace;
 }
 

@@ -17,6 +17,7 @@ constexpr int disc_corners = 36, room_corners = 8;
 constexpr double room_beside = 5e-3;  // m, that bounds in time take beside what stands
 constexpr double least_kept = 1e-6;  // m
 constexpr double look_every = 0.1;   // s
+constexpr double share_of_size = 0.2;  // of its radius, that an obstacle moves by within one polygon of what it sweeps
 
 /// The mission beside which nothing of a station is left to do but to reach a pose: its shelf and its area are obstacles then.
 void take_station_into_map(Scenario& scenario, const Mission& mission) {
@@ -34,15 +35,29 @@ std::vector<Ring> swept(const MovingObstacle& obstacle, double until) {
   }
   times.push_back(until);
   std::vector<Ring> rings;
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-    const Pose a = obstacle.at(times[i]), b = obstacle.at(times[i + 1]);
+  for (std::size_t i = 0; i + 1 < times.size();) {
+    // Short steps of the track are one hull, as long as they go no farther than a share of its size.
+    const Pose a = obstacle.at(times[i]);
+    double way = 0.0;
+    std::size_t end = i;
+    bool turns = false;
+    Ring points;
+    std::vector<Pose> places{a};
+    do {
+      const Pose b = obstacle.at(times[++end]);
+      way += distance(places.back().position(), b.position());
+      turns = turns || a.heading != b.heading;
+      places.push_back(b);
+    } while (end + 1 < times.size() && way < share_of_size * obstacle.footprint.radius());
     // Where it turns, the disc around it holds it whatever its heading.
-    const Footprint body = a.heading == b.heading ? obstacle.footprint : Footprint{{}, obstacle.footprint.radius()};
-    const double room = room_beside + obstacle.spread * times[i + 1];
-    Ring points = outline_that_holds(body, a, room);
-    const Ring there = outline_that_holds(body, b, room);
-    points.insert(points.end(), there.begin(), there.end());
+    const Footprint body = turns ? Footprint{{}, obstacle.footprint.radius()} : obstacle.footprint;
+    const double room = room_beside + obstacle.off_by(times[end]);
+    for (const Pose& place : places) {
+      const Ring there = outline_that_holds(body, place, room);
+      points.insert(points.end(), there.begin(), there.end());
+    }
     rings.push_back(convex_hull(std::move(points)));
+    i = end;
   }
   return rings;
 }
@@ -78,13 +93,14 @@ Parsed<std::optional<Plan>> beside_what_comes(const Problem& problem, Plan& plan
   const auto leave = braking_distance(problem, plan.samples);
   if (!leave) return std::optional<Plan>{};
   // Until it has come so near to where the vehicle leaves its way that there is just room to turn away. (Then it walks on over places that the vehicle has left.)
-  const Pose from = *leave > least_kept ? end_pose(beginning(plan.path, *leave)) : problem.first_pose();
+  const Path kept = kept_until(plan.path, *leave);
+  const Pose from = kept.pieces.empty() ? problem.first_pose() : end_pose(kept);
   const double room = 2.0 * problem.footprint().radius() + problem.required_clearance() + 2.0 * room_beside, latest = obstacle.track.back().t + 2.0 * plan.metrics.travel_time + 10.0;
   const MovingClearance clearance{problem, 0.0, 0.0};
   double until = 0.0;
   while (until < latest && clearance.distance_at(from, h.obstacle, until, 2.0 * room) > room) until += look_every;
   if (until == 0.0) return std::optional<Plan>{};
-  auto found = detour(problem, plan.path, *leave, problem.scenario().mission, swept(obstacle, until), cancel);
+  auto found = detour(problem, kept, problem.scenario().mission, swept(obstacle, until), cancel);
   if (!found) return tl::unexpected{found.error()};
   if (found->plan.status != Status::solved) return std::optional<Plan>{};
   Plan around = judge(problem, found->whole, cancel);
@@ -123,16 +139,16 @@ Path joined(Path first, const Path& then) {
   return first;
 }
 
-Parsed<WayOn> detour(const Problem& problem, const Path& path, double s, const Mission& mission, const std::vector<Ring>& more, const std::atomic<bool>* cancel) {
+Path kept_until(const Path& path, double s) { return s > least_kept ? beginning(path, s) : Path{}; }
+
+Parsed<WayOn> detour(const Problem& problem, Path kept, const Mission& mission, const std::vector<Ring>& more, const std::atomic<bool>* cancel) {
   Scenario scenario = problem.scenario();
   take_station_into_map(scenario, mission);
   scenario.mission = mission;
   scenario.moving.clear();
   scenario.map.obstacles.insert(scenario.map.obstacles.end(), more.begin(), more.end());
   WayOn found;
-  Path kept;
-  if (s > least_kept) {
-    kept = beginning(path, s);
+  if (!kept.pieces.empty()) {
     found.s = length(kept);
     scenario.start = end_pose(kept);
     scenario.start_motion = {};
@@ -166,7 +182,7 @@ Parsed<Plan> led_around(const Problem& problem, Plan plan, const std::atomic<boo
     standing.push_back(outline_that_holds(obstacle.footprint, obstacle.at(*since), room_beside));
     const std::string who = one_line(title_of(obstacle, h.obstacle));
     names.push_back(who);
-    auto found = detour(problem, plan.path, h.s, problem.scenario().mission, standing, cancel);
+    auto found = detour(problem, kept_until(plan.path, h.s), problem.scenario().mission, standing, cancel);
     if (!found) return tl::unexpected{found.error()};
     if (found->plan.status != Status::solved) {
       plan.explanation.push_back(fmt::format("No way leads around {} from where the vehicle waits for it: {}.", who, named(found->plan.reason, problem.scenario().map.obstacles.size(), names)));

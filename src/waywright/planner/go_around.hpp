@@ -19,8 +19,10 @@ struct WayOn {
   Plan plan;           ///< from there on, of a problem of its own in which nothing moves
   Path whole;
 };
-/// Plans on from a place of the path at which the vehicle stands. `mission`: where to; `more`: obstacles beside the problem's. Errors as of solve().
-Parsed<WayOn> detour(const Problem& problem, const Path& path, double s, const Mission& mission, const std::vector<Ring>& more, const std::atomic<bool>* cancel);
+/// The path up to `s` m; of no length worth it empty, which is where the problem begins.
+Path kept_until(const Path& path, double s);
+/// Plans on from the end of what is kept, at which the vehicle stands. `mission`: where to; `more`: obstacles beside the problem's. Errors as of solve().
+Parsed<WayOn> detour(const Problem& problem, Path kept, const Mission& mission, const std::vector<Ring>& more, const std::atomic<bool>* cancel);
 
 /// Of a plan that is hindered by what stands in its way: it waits there as long as the obstacle's patience says, then goes on by a way around it. By what comes to meet it: a way
 /// beside what it is predicted to sweep until then. Any other plan, and one that nothing is found for, is returned as it is. Errors as of solve().

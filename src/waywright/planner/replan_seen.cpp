@@ -17,6 +17,8 @@
 #include "waywright/planner/rest_of_plan.hpp"
 #include "waywright/planner/solve_words.hpp"
 #include "waywright/proof/proof.hpp"
+#include "waywright/speed/speed.hpp"
+#include "waywright/speed/zone_speed.hpp"
 
 namespace waywright {
 namespace {
@@ -123,6 +125,19 @@ class Replanning {
   }
 
  private:
+  /// On the spot, too fast to stand at once.
+  bool is_turning() const { return !rest_.stopping.pieces.empty(); }
+  double stopping_angle() const {
+    double angle = 0.0;
+    for (const Piece& piece : rest_.stopping.pieces) angle += std::abs(std::get<Turn>(piece.curve).angle);
+    return angle;
+  }
+  /// The rest up to a place of it where the vehicle stands, the turn in which it comes to rest at least.
+  Path kept_until_at_rest(double s) const {
+    Path kept = kept_until(rest_.path, s);
+    return kept.pieces.empty() ? rest_.stopping : kept;
+  }
+
   bool plans_in_time() const {
     const PlannerDescription* planner = find_planner(problem_.scenario().planner.name);
     return planner != nullptr && planner->plans_in_time;
@@ -145,6 +160,7 @@ class Replanning {
 
   /// No times serve what was left: a planner that leaves its way for what moves is asked again.
   Parsed<Plan> anew_in_time(Plan kept) {
+    if (is_turning()) return kept;
     auto plan = solve(problem_, cancel_);
     if (!plan) return plan;
     if (plan->status != Status::solved) {
@@ -162,8 +178,12 @@ class Replanning {
     if (!parameters) return tl::unexpected{parameters.error()};
     plan.planner = problem_.scenario().planner.name;
     plan.parameters = *parameters;
-    auto led = led_around(problem_, std::move(plan), cancel_);
+    auto led = is_turning() ? Parsed<Plan>{std::move(plan)} : led_around(problem_, std::move(plan), cancel_);
     if (!led) return led;
+    if (is_turning() && led->status == Status::solved && !led->waits.empty() && led->waits.front().from <= 0.0) {
+      led->status = Status::unproven;
+      led->reason = fmt::format("the vehicle would have to stand for {} at once, and turns on the spot at up to {:.2f} rad/s", one_line(title_of(problem_.scenario().moving[led->waits.front().obstacle], led->waits.front().obstacle)), rest_.turning);
+    }
     if (auto failure = moving_at_goal(problem_, *led)) {
       Plan failed = failed_plan(problem_, *failure);
       failed.explanation = std::move(led->explanation);
@@ -199,6 +219,16 @@ class Replanning {
       plan.alternatives.push_back(old_way());
       return plan;
     }
+    if (is_turning()) {
+      const std::vector<Sample> turn = sample(rest_.stopping, problem_.footprint().radius(), ProofOptions{}.tolerance);
+      if (const Blocked there = blocked_stretches(seen_.still, problem_, turn); !there.stretches.empty() || there.ends_blocked) {
+        blocked_ = there;
+        Plan plan = failed_plan(problem_, {Status::no_path, fmt::format("{} is in the way of the turn on the spot that has begun: from {:.2f} rad/s the vehicle comes to rest in {:.3f} rad", obstacle_name(), rest_.turning, stopping_angle()), rest_.pose, {}});
+        plan.explanation = text;
+        plan.alternatives.push_back(old_way());
+        return plan;
+      }
+    }
     std::vector<Candidate> candidates;
     if (can_stop_ && !blocked_.stretches.empty() && !blocked_.ends_blocked) mend(candidates);
     std::optional<Plan> failed;
@@ -221,6 +251,7 @@ class Replanning {
     const double required = problem_.required_clearance();
     std::string text = fmt::format("What was left of the plan is blocked by {}: {:.2f} m ahead the footprint would {}", obstacle_name(), ahead,
                                    required > 0.0 ? fmt::format("come nearer than {:.3f} m to it", required) : std::string{"touch it"});
+    if (is_turning()) return text + fmt::format("; the vehicle turns on the spot at up to {:.2f} rad/s and comes to rest in {:.3f} rad.", rest_.turning, stopping_angle());
     if (!problem_.motion()) return text + "; the vehicle stands.";
     if (!brakes_in_) return text + fmt::format("; at {:.2f} m/s the vehicle cannot come to rest on what is left of the plan.", problem_.motion()->speed);
     return text + fmt::format("; at {:.2f} m/s the vehicle comes to rest in {:.2f} m{}.", problem_.motion()->speed, *brakes_in_, can_stop_ ? "" : ", which is too far");
@@ -241,7 +272,7 @@ class Replanning {
       left_before = leave;
       joined_before = join;
       const Path behind = remainder(rest_.path, join);
-      auto found = detour(problem_, rest_.path, leave, start_pose(behind), {}, cancel_);
+      auto found = detour(problem_, kept_until_at_rest(leave), start_pose(behind), {}, cancel_);
       if (!found) continue;
       count(found->plan);
       if (found->plan.status != Status::solved) continue;
@@ -260,8 +291,8 @@ class Replanning {
   std::optional<InputError> plan_anew(std::vector<Candidate>& candidates, std::optional<Plan>& failed) {
     const PlannerDescription* planner = find_planner(problem_.scenario().planner.name);
     const bool in_motion = planner != nullptr && planner->goes_on_in_motion;
-    if (can_stop_ && problem_.motion() && !in_motion) {
-      auto found = detour(problem_, rest_.path, *brakes_in_, problem_.scenario().mission, {}, cancel_);
+    if (can_stop_ && (is_turning() || (problem_.motion() && !in_motion))) {
+      auto found = detour(problem_, kept_until_at_rest(*brakes_in_), problem_.scenario().mission, {}, cancel_);
       if (!found) return found.error();
       count(found->plan);
       if (found->plan.status == Status::solved) {
@@ -270,12 +301,13 @@ class Replanning {
         c.plan = judge(problem_, found->whole, cancel_);
         c.plan.search = std::move(found->plan.search);
         c.left_at = found->s;
-        c.told = fmt::format("the vehicle stops along the old way, in {:.2f} m, and the way to the goal is planned anew from there", found->s);
+        c.told = fmt::format("the vehicle stops along the old way, in {}, and the way to the goal is planned anew from there", is_turning() ? fmt::format("{:.3f} rad", stopping_angle()) : fmt::format("{:.2f} m", found->s));
         c.explanation = of_part("Of the new part", found->plan.explanation);
         candidates.push_back(std::move(c));
-        if (!plans_in_time() || problem_.scenario().moving.empty()) return std::nullopt;
+        if (is_turning() || !plans_in_time() || problem_.scenario().moving.empty()) return std::nullopt;
       } else {
         failed = std::move(found->plan);
+        if (is_turning()) return std::nullopt;
       }
     }
     auto plan = solve(problem_, cancel_);
@@ -372,6 +404,20 @@ class Replanning {
   bool is_reproducible_ = true;
 };
 
+/// The profile bounds each step by its worse end, and the rest has other steps than the whole: from the speed that the plan has in the middle of a step the rest may be a little too
+/// steep. m/s that it is then taken to begin with, where that is nearly its speed; empty where there is nothing to take off or too much.
+std::optional<double> slower_start(const Problem& problem, const Path& path) {
+  constexpr double nearly = 0.98;
+  const auto& motion = problem.motion();
+  if (!motion) return std::nullopt;
+  const std::vector<Sample> samples = sample(path, problem.footprint().radius(), ProofOptions{}.tolerance);
+  const LimitsAlong along = zone_limits(problem, samples, ProofOptions{}.tolerance);
+  SpeedWorkspace workspace;
+  if (can_start_with(samples, problem.vehicle(), motion->speed, workspace, along)) return std::nullopt;
+  const double slower = greatest_start_speed(samples, problem.vehicle(), workspace, along);
+  return slower >= nearly * motion->speed ? std::optional{slower} : std::nullopt;
+}
+
 }  // namespace
 
 Parsed<Plan> replan(const Plan& old, double t, const SeenObstacles& seen, const std::atomic<bool>* cancel) {
@@ -381,9 +427,18 @@ Parsed<Plan> replan(const Plan& old, double t, const SeenObstacles& seen, const 
   if (!was) return tl::unexpected{was.error()};
   const auto rest = rest_of(old, *was, t);
   if (!rest) return tl::unexpected{InputError{"", "", fmt::format("the forks are in the shelf {:g} s after the start, and nothing is planned anew there", t), "a time at which they are out of it"}};
-  const auto problem = Problem::prepare(scenario_now(old, *was, *rest, t, seen));
+  Scenario scenario = scenario_now(old, *was, *rest, t, seen);
+  auto problem = Problem::prepare(scenario);
   if (!problem) return tl::unexpected{problem.error()};
-  return Replanning{old, *rest, *problem, seen, t, cancel}.run();
+  const auto slower = slower_start(*problem, rest->path);
+  if (!slower) return Replanning{old, *rest, *problem, seen, t, cancel}.run();
+  const double speed = std::abs(scenario.start_motion.speed);
+  scenario.start_motion.speed = std::copysign(*slower, scenario.start_motion.speed);
+  problem = Problem::prepare(std::move(scenario));
+  if (!problem) return tl::unexpected{problem.error()};
+  auto plan = Replanning{old, *rest, *problem, seen, t, cancel}.run();
+  if (plan) plan->explanation.insert(plan->explanation.begin(), fmt::format("Its speed of {:.3f} m/s is taken for {:.3f} m/s, from which what is left surely keeps the vehicle's limits.", speed, *slower));
+  return plan;
 }
 
 }  // namespace waywright

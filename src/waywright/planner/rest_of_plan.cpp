@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "waywright/map/clearance_along.hpp"
 #include "waywright/path/remainder.hpp"
@@ -16,19 +17,54 @@ namespace {
 constexpr double comparison_slack = 1e-6;  // m, as the proof has it
 constexpr double least_turn = 1e-9;        // rad
 
-/// A turn on the spot that has begun: what is left of it. @pre the rest begins with it
-void cut_turn(const std::vector<Sample>& samples, double t, RestOfPlan& rest) {
-  auto* turn = std::get_if<Turn>(&rest.path.pieces.front().curve);
-  if (turn == nullptr) return;
+/// Turns on the spot at the beginning of the rest, of which `done` rad are over: what is left of them, something at least. @pre the rest begins with them
+void cut_turns(double done, RestOfPlan& rest) {
+  Pieces& pieces = rest.path.pieces;
+  while (auto* turn = std::get_if<Turn>(&pieces.front().curve)) {
+    const double left = std::abs(turn->angle) - done;
+    const bool is_over = !(left > least_turn);
+    if (is_over && pieces.size() > 1) {
+      done = std::max(0.0, -left);
+      pieces.erase(pieces.begin());
+      continue;
+    }
+    const double by = std::copysign(is_over ? std::abs(turn->angle) - least_turn : done, turn->angle);
+    turn->from = wrap(turn->from + by);
+    turn->angle -= by;
+    break;
+  }
+  rest.pose = start_pose(rest.path);
+}
+
+/// rad/s that the vehicle turns by at most at a time: as its samples do around it, and no faster than it can slow down from in what is left.
+double turning_at(const std::vector<Sample>& samples, double t, double slows_down_by, double left) {
   const auto after = std::upper_bound(samples.begin(), samples.end(), t, [](double time, const Sample& s) { return time < s.t; });
+  if (after == samples.begin() || after == samples.end()) return 0.0;
   const Sample &a = *(after - 1), &b = *after;
-  const double share = b.t > a.t ? (t - a.t) / (b.t - a.t) : 0.0;
-  double done = shorter_turn(turn->from, wrap(a.heading + share * shorter_turn(a.heading, b.heading)));
-  if (done * turn->angle < 0.0 && std::abs(done) > least_turn) done += turn->angle < 0.0 ? -two_pi : two_pi;  // of more than half a turn
-  if (std::abs(done) >= std::abs(turn->angle) - least_turn) return;
-  turn->from = wrap(turn->from + done);
-  turn->angle -= done;
-  rest.pose.heading = turn->from;
+  const double time = b.t - a.t, turn = std::abs(shorter_turn(a.heading, b.heading));
+  if (!(turn > 0.0) || !(time > 0.0)) return 0.0;
+  return std::min(turn / time + 0.5 * slows_down_by * time, std::sqrt(2.0 * slows_down_by * left));
+}
+
+/// The beginning of the turns of one sense that a path begins with, by `angle` rad at least (all of them, if they are less).
+Path first_turns(const Path& path, double angle) {
+  Path first;
+  for (const Piece& piece : path.pieces) {
+    const auto* turn = std::get_if<Turn>(&piece.curve);
+    if (turn == nullptr || !(angle > least_turn)) break;
+    if (!first.pieces.empty() && std::get<Turn>(first.pieces.front().curve).angle * turn->angle < 0.0) break;
+    first.pieces.push_back(piece);
+    auto& cut = std::get<Turn>(first.pieces.back().curve);
+    cut.angle = std::copysign(std::min(angle, std::abs(cut.angle)), cut.angle);
+    angle -= std::abs(cut.angle);
+  }
+  return first;
+}
+
+double angle_of_turns(const Path& turns) {
+  double angle = 0.0;
+  for (const Piece& piece : turns.pieces) angle += std::abs(std::get<Turn>(piece.curve).angle);
+  return angle;
 }
 
 }  // namespace
@@ -41,7 +77,11 @@ std::optional<RestOfPlan> rest_of(const Plan& plan, const Problem& problem, doub
     if (is_in) return std::nullopt;
   }
   RestOfPlan rest{remainder(plan.path, now.driven), now.pose, now.motion, now.driven};
-  if (now.is_turning) cut_turn(plan.samples, t, rest);
+  if (!now.is_turning) return rest;
+  cut_turns(now.turned, rest);
+  const double slows_down_by = problem.vehicle().limits.angular_acceleration.value_or(default_angular_acceleration);
+  rest.turning = turning_at(plan.samples, t, slows_down_by, angle_of_turns(first_turns(rest.path, std::numeric_limits<double>::infinity())));
+  rest.stopping = first_turns(rest.path, 0.5 * rest.turning * rest.turning / slows_down_by);
   return rest;
 }
 
@@ -50,9 +90,13 @@ double time_at(const std::vector<Sample>& samples, double s) {
   if (after == samples.begin()) return samples.front().t;
   if (after == samples.end()) return samples.back().t;
   const Sample &a = *(after - 1), &b = *after;
-  // Evenly accelerated on a step: v² is linear in s.
-  const double way = s - a.s, square = a.speed * a.speed + (b.speed * b.speed - a.speed * a.speed) * way / (b.s - a.s), sum = a.speed + std::sqrt(std::max(0.0, square));
-  return sum > 0.0 ? std::min(b.t, a.t + 2.0 * way / sum) : b.t;
+  // Where it is then is what within_step has; its inverse by halving the time.
+  double low = 0.0, high = b.t - a.t;
+  for (int i = 0; i < 60 && high > low; ++i) {
+    const double middle = 0.5 * (low + high);
+    (within_step(a, b, middle).way < s - a.s ? low : high) = middle;
+  }
+  return std::min(b.t, a.t + high);
 }
 
 HeldAgainst held_against(const Map& still, const Problem& problem, const Path& way, const std::atomic<bool>* cancel) {

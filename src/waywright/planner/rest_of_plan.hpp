@@ -18,6 +18,8 @@ struct RestOfPlan {
   Pose pose{};
   StartMotion motion;
   double driven = 0.0;    ///< m
+  Path stopping{};        ///< where it turns on the spot: what it turns on by until it is at rest, the beginning of `path`; else empty
+  double turning = 0.0;   ///< rad/s, at most, at which it turns then
 };
 /// Empty where the vehicle is in a shelf's pocket then. @pre the plan is solved, its samples are its path's; 0 ≤ t < their end
 std::optional<RestOfPlan> rest_of(const Plan& plan, const Problem& problem, double t);

@@ -17,6 +17,7 @@ namespace {
 constexpr double relative_slack = 1e-6;      // of a limit
 constexpr double curvature_tolerance = 1e-6;  // 1/m, of a curvature that goes on
 constexpr double course_tolerance = 1e-6;     // rad
+constexpr double estimated_course = 0.1;      // rad, of poses from outside
 constexpr std::size_t most_intervals = 400000;
 constexpr int deepest = 48;                  // halvings
 constexpr double most_turning = 1e3;         // rad, of one curve: its heading loses digits with every turn
@@ -131,6 +132,15 @@ std::optional<Violation> check_entry_motion(const Problem& problem, const Piece&
   if (first.direction != motion->direction) {
     return Violation{fmt::format("the vehicle moves {} when the plan begins, and the path begins {}", name(motion->direction), name(first.direction)),
                      problem.first_pose()};
+  }
+  if (const auto* poses = std::get_if<PoseSequence>(&first.curve); poses != nullptr && motion->course) {
+    for (std::size_t i = 1; i < poses->poses.size(); ++i) {
+      const Vec2 way = poses->poses[i].position() - poses->poses[0].position();
+      if (!(norm(way) > 0.0)) continue;
+      if (const double off = shorter_turn(*motion->course, angle_of(way)); std::abs(off) <= estimated_course) break;
+      return Violation{fmt::format("the vehicle's course is {:.3f} rad when the plan begins, and that of the poses about {:.3f} rad", *motion->course, angle_of(way)), problem.first_pose()};
+    }
+    return std::nullopt;
   }
   if (motion->course.has_value() != first.heading.has_value()) {
     return Violation{motion->course ? "the vehicle does not face along its way when the plan begins, and the path does not begin with a heading of its own"

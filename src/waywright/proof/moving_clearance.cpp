@@ -63,7 +63,7 @@ double MovingClearance::last_time(const Body& body, std::size_t index, Vec2 abou
   const double speed = norm(obstacle.velocity);
   if (speed == 0.0 && obstacle.spread == 0.0) return last;
   if (!(speed > obstacle.spread)) return latest_time;
-  const double away = waywright::distance(obstacle.track.back().pose.position(), about) + reach + obstacle.footprint.radius() + needed_ + obstacle.spread * last + 1.0;
+  const double away = waywright::distance(obstacle.track.back().pose.position(), about) + reach + obstacle.footprint.radius() + needed_ + obstacle.off_by(last) + 1.0;
   return std::min(latest_time, last + away / (speed - obstacle.spread));
 }
 
@@ -75,8 +75,8 @@ bool MovingClearance::look(const Body& body, const Step& step, double low, doubl
   if (least - slack > needed_) return false;
   const bool is_short = !(to - from > std::max(shortest_time, shortest_share * from));
   // Wherever within its spread it may be, it may also be as near as that lets it: the spread at the beginning is there all the time.
-  const double spread = problem_.scenario().moving[static_cast<std::size_t>(&body - bodies_.data())].spread;
-  if (least + (there.reach - spread * to) - spread * from <= needed_ || (is_short && !(2.0 * moved > shortest_way))) {
+  const MovingObstacle& obstacle = problem_.scenario().moving[static_cast<std::size_t>(&body - bodies_.data())];
+  if (least + (there.reach - obstacle.off_by(to)) - obstacle.off_by(from) <= needed_ || (is_short && !(2.0 * moved > shortest_way))) {
     add(spans, from, to);
     return true;
   }

@@ -34,6 +34,7 @@ std::string title_of(const MovingObstacle& obstacle, std::size_t index) {
 MovingObstacle seen_from(const MovingObstacle& obstacle, double now) {
   MovingObstacle seen = obstacle;
   seen.track.clear();
+  seen.seen = std::max(obstacle.seen - now, -latest_time);
   if (obstacle.track.front().t <= now) seen.track.push_back({0.0, obstacle.at(now)});
   for (const Place& p : obstacle.track) {
     if (p.t > now || seen.track.empty()) seen.track.push_back({std::max(0.0, p.t - now), p.pose});
@@ -64,7 +65,7 @@ MovingPlaces::Stretch MovingPlaces::between(double begin, double end) const {
     speed = std::max(speed, speeds_[i]);
     if (i < breaks_.size() && breaks_[i] >= end) break;
   }
-  return {obstacle_->at(middle), speed * 0.5 * (end - begin) + obstacle_->spread * end};
+  return {obstacle_->at(middle), speed * 0.5 * (end - begin) + obstacle_->off_by(end)};
 }
 
 }  // namespace waywright

@@ -25,12 +25,15 @@ struct MovingObstacle {
   Footprint footprint;                    ///< in its own frame
   std::vector<Place> track{Place{}};      ///< times rise; at least one
   Vec2 velocity{};                        ///< m/s, world frame
-  double spread = 0.0;                    ///< m/s: after t seconds it may be off by up to spread · t. ≥ 0
+  double spread = 0.0;                    ///< m/s: so much for every second since it was seen it may be off. ≥ 0
+  double seen = 0.0;                      ///< s, time at which it was where the track has it. ≤ 0
   double range = 1.0;                     ///< m of the way ahead that have to be free of it while the vehicle moves, ≥ 0
   double free_for = 1.0;                  ///< s that they have to be before the vehicle goes on, ≥ 0
   double patience = 10.0;                 ///< s that the vehicle waits for one that stands in its way; then it counts as an obstacle that stays. ≥ 0
 
   Pose at(double t) const;
+  /// m, by which it may be elsewhere than at(t). @pre t ≥ 0
+  double off_by(double t) const { return spread * (t - seen); }
   /// It stays where it is from this time on; empty where it goes on for ever.
   std::optional<double> stands_from() const;
 };
@@ -38,7 +41,7 @@ struct MovingObstacle {
 /// "the cart", or "moving obstacle 2".
 std::string title_of(const MovingObstacle& obstacle, std::size_t index);
 
-/// The same obstacle with times counted from `now` (s): what has been driven till then is left out.
+/// The same obstacle with times counted from `now` (s, ≥ 0): what has been driven till then is left out. Nobody has seen it again: what it may be off by stays.
 MovingObstacle seen_from(const MovingObstacle& obstacle, double now);
 
 /// Bounds of how far a point of the obstacle gets in a stretch of time, whatever the point; made once.

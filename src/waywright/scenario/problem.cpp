@@ -125,7 +125,10 @@ std::optional<InputError> Problem::set_station(const Station& station) {
 std::optional<InputError> Problem::set_motion() {
   rest_ = scenario_.start;
   const StartMotion& given = scenario_.start_motion;
-  if (given.speed == 0.0) return std::nullopt;
+  if (given.speed == 0.0) {
+    if (given.angular_velocity != 0.0) return refuse("start.angular_velocity", "the vehicle stands and turns on the spot, and nothing is planned from that", "0 where start.speed is 0");
+    return std::nullopt;
+  }
   if (driven_back_) return refuse("start.speed", "the way out of the shelf begins at rest, and start is where it ends", "0");
   EntryMotion motion{std::abs(given.speed), given.speed < 0.0 ? -1 : 1, given.curvature, {}, given.curvature};
   if (given.course) {
@@ -150,7 +153,11 @@ std::optional<InputError> Problem::set_motion() {
   const double distance = motion.speed * motion.speed / (2.0 * deceleration) * (1.0 + reserve);
   const double course = motion.course ? *motion.course : motion.direction < 0 ? wrap(rest_.heading + pi) : rest_.heading;
   constexpr double shortest = 1e-6;  // m: what stops within it stands
-  if (distance < shortest) return std::nullopt;
+  constexpr double least_turning = 1e-3;  // rad
+  if (distance < shortest) {
+    if (std::abs(motion.turning) * distance > least_turning && motion.course) return refuse("start.angular_velocity", "the vehicle all but stands and turns on the spot, and nothing is planned from that", "less beside such a start.speed");
+    return std::nullopt;
+  }
   constexpr double longest = 1e4;  // m
   if (!(distance <= longest)) {
     return refuse("start.speed", fmt::format("stopping from {} m/s takes {:.3g} m", motion.speed, distance), "what can be stopped within 10 km");

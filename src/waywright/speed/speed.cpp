@@ -25,9 +25,8 @@ constexpr double creeping = 1e-6;
 // Shares of v²: rounding of a profile, and how far over what it may be a moving start may be measured.
 constexpr double rounding = 2e-6;
 constexpr double measured = 2e-3;
-// Turning on the spot where the vehicle has no limit: rad/s and rad/s².
+// Turning on the spot where the vehicle has no limit: rad/s.
 constexpr double default_angular_speed = 1.0;
-constexpr double default_angular_acceleration = 1.0;
 
 double square(double x) { return x * x; }
 
@@ -341,6 +340,19 @@ void SpeedWorkspace::reserve(std::size_t samples) {
   steps.reserve(samples);
   caps.reserve(samples);
   squares.reserve(samples);
+}
+
+WithinStep within_step(const Sample& from, const Sample& to, double time) {
+  const double way = to.s - from.s, whole = to.t - from.t, sum = from.speed + to.speed;
+  if (!(way > 0.0)) return {};
+  if (sum > 0.0) {
+    const double acceleration = 0.5 * (to.speed - from.speed) * sum / way;
+    time = std::clamp(time, 0.0, std::max(0.0, whole));
+    return {std::clamp(from.speed * time + 0.5 * acceleration * time * time, 0.0, way), std::max(0.0, from.speed + acceleration * time)};
+  }
+  const double share = whole > 0.0 ? std::clamp(time / whole, 0.0, 1.0) : 1.0, left = 1.0 - share;
+  const double top = whole > 0.0 ? 2.0 * way / whole : 0.0;
+  return share < 0.5 ? WithinStep{2.0 * way * share * share, 2.0 * top * share} : WithinStep{way * (1.0 - 2.0 * left * left), 2.0 * top * left};
 }
 
 double time_from_rest_to_rest(const Sample& before, const Sample& after, const Vehicle& vehicle) {

@@ -10,6 +10,8 @@
 
 namespace waywright {
 
+inline constexpr double default_angular_acceleration = 1.0;  ///< rad/s², of turns on the spot where a vehicle has no limit
+
 /// Fills t and speed of every sample: the fastest profile that is at rest at both ends, at changes of
 /// direction, at corners of a way that the vehicle does not face along, and where the curvature jumps while curvature rate, steering rate or angular acceleration is
 /// limited, and keeps speed (by direction), acceleration, deceleration, lateral acceleration, angular speed
@@ -57,6 +59,14 @@ bool can_start_with(const std::vector<Sample>& samples, const Vehicle& vehicle, 
 
 /// Greatest speed in m/s with which the first sample can surely be passed so: that of the profile. 0 where the vehicle must stand there.
 double greatest_start_speed(const std::vector<Sample>& samples, const Vehicle& vehicle, SpeedWorkspace& workspace, const LimitsAlong& along = {});
+
+/// How far and how fast a vehicle is within a step between two samples that carry t and speed, `time` s after the first of them (clamped): evenly accelerated; from rest to rest
+/// it speeds up for one half of the time and slows down for the other. Of a step at one place nothing.
+struct WithinStep {
+  double way = 0.0;    ///< m
+  double speed = 0.0;  ///< m/s
+};
+WithinStep within_step(const Sample& from, const Sample& to, double time);
 
 /// s that a step takes at least which begins and ends at rest and moves between.
 double time_from_rest_to_rest(const Sample& before, const Sample& after, const Vehicle& vehicle);

@@ -14,11 +14,12 @@ struct Handover {
   double driven = 0.0;  ///< m of the path so far
   Pose pose{};
   StartMotion motion;
-  bool is_turning = false;  ///< on the spot: no place of the way says how far
+  bool is_turning = false;  ///< on the spot: `driven` and `pose` are of before its turns there
+  double turned = 0.0;      ///< rad, of those turns, whichever way, that are done
 };
 
 /// Where the samples have the vehicle after t seconds (clamped to their time). Within 0.1 mm before the end of a piece it is taken to be there, and to stand where the
-/// samples have it stand there; where it drives on, its curvature is that of the next piece.
+/// samples have it stand there; where it drives on, its curvature is that of the next piece. Turns on the spot that are over are behind it.
 /// @pre the samples are the path's, with t and speed
 Handover handover_at(const Path& path, const std::vector<Sample>& samples, double t);
 

@@ -65,7 +65,7 @@ std::size_t LocalField::met_on(const FreeState& from, const FreeStep& step, cons
 signed char LocalField::side_of(std::size_t i, Vec2 disc, double t, Vec2 axis, Vec2 along) const {
   const MovingObstacle& obstacle = movers_.obstacle(i);
   const Vec2 there = obstacle.at(t).position(), left = left_of(axis);
-  const double aside = obstacle.footprint.radius() + space_.needed() + obstacle.spread * t + 0.5 * comfortable;
+  const double aside = obstacle.footprint.radius() + space_.needed() + obstacle.off_by(t) + 0.5 * comfortable;
   const bool is_left_free = space_.is_free(there + aside * left), is_right_free = space_.is_free(there - aside * left);
   if (is_left_free != is_right_free) return is_left_free ? 1 : -1;
   const double lateral = dot(disc - there, left);

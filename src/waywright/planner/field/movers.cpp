@@ -19,7 +19,7 @@ Movers::Movers(const PlaneSpace& space, double beside) : obstacles_{space.proble
 Movers::Near Movers::at(std::size_t i, Vec2 disc, double t, double cap) const {
   const MovingObstacle& obstacle = obstacles_[i];
   const Pose pose = obstacle.at(t);
-  const double kept = kept_ + obstacle.spread * t, between = distance(disc, pose.position());
+  const double kept = kept_ + obstacle.off_by(t), between = distance(disc, pose.position());
   if (obstacle.footprint.is_disc() || between - radii_[i] - kept > cap) {
     const double radius = obstacle.footprint.is_disc() ? obstacle.footprint.disc : radii_[i];
     const Vec2 towards = between > 0.0 ? (1.0 / between) * (disc - pose.position()) : Vec2{1.0, 0.0};
@@ -58,7 +58,7 @@ Ring Movers::outline(std::size_t i, double t, double room) const {
   const MovingObstacle& obstacle = obstacles_[i];
   const Pose pose = obstacle.at(t);
   const bool is_disc = obstacle.footprint.is_disc();
-  const double radius = std::max(1e-3, room + beside_ + obstacle.spread * t + (is_disc ? obstacle.footprint.disc : 0.0)) / sin_cos(pi / corners).cos;
+  const double radius = std::max(1e-3, room + beside_ + obstacle.off_by(t) + (is_disc ? obstacle.footprint.disc : 0.0)) / sin_cos(pi / corners).cos;
   std::vector<Vec2> points;
   for (const Vec2 middle : is_disc ? Ring{pose.position()} : transformed(obstacle.footprint.polygon, Frame{pose})) {
     for (int k = 0; k < corners; ++k) points.push_back(middle + radius * unit(two_pi * k / corners));
