@@ -103,6 +103,27 @@ TEST(ScenarioIo, RoundTripKeepsEveryBit) {
   EXPECT_EQ(fingerprint(made), fingerprint(parsed(scenario_json(made))));
 }
 
+TEST(ScenarioIo, WhereNoPlannerIsNamedItIsTheOneForTheMission) {
+  struct Case {
+    const char *vehicle, *goal, *planner;
+  };
+  const char* turns = R"({"footprint": {"disc": 0.3}, "drive": {"type": "differential", "track": 0.5}})";
+  const char* slides = R"({"footprint": {"disc": 0.3}, "drive": {"type": "mecanum", "wheel_radius": 0.1, "half_length": 0.3, "half_width": 0.2}})";
+  const char* steers = R"({"footprint": {"disc": 0.3}, "drive": {"type": "tricycle", "wheelbase": 0.5, "max_steering": 1}})";
+  const char* forked = R"({"footprint": [[-1,-1],[1,-1],[1,1],[-1,1]], "forks": [[0,-1],[1,-1],[1,1],[0,1]], "drive": {"type": "differential", "track": 0.5}})";
+  for (const Case& c : {Case{turns, "[1, 1, 0]", "astar"}, Case{slides, "[1, 1, 0]", "astar"}, Case{steers, "[1, 1, 0]", "pattern_docking"}, Case{forked, "[1, 1, 0]", "pattern_docking"},
+                        Case{turns, "[1, 1]", "astar"}, Case{forked, "[1, 1]", "astar"}}) {
+    const std::string text = std::string{R"({"format": "waywright-scenario/1", "map": {"polygons": {}}, "start": [0, 0, 0], "vehicle": )"} + c.vehicle + R"(, "goal": )" + c.goal;
+    EXPECT_EQ(parsed(text + "}").planner.name, c.planner) << c.vehicle << c.goal;
+    EXPECT_EQ(parsed(text + R"(, "waypoints": [[3, 3]]})").planner.name, "waypoint_clothoid");
+    EXPECT_EQ(parsed(text + R"(, "planner": {"name": "voronoi"}})").planner.name, "voronoi");
+    // A leg's is the same.
+    const std::string legs = std::string{R"({"format": "waywright-scenario/1", "map": {"polygons": {}}, "start": [0, 0, 0], "vehicle": )"} + c.vehicle + R"(, "legs": [{"goal": )" + c.goal + "}]}";
+    const Scenario in_legs = parsed(legs);
+    EXPECT_EQ(in_legs.legs.front().planner.value_or(in_legs.planner).name, c.planner);
+  }
+}
+
 TEST(ScenarioIo, BundledExamplesKeepEveryBit) {
   int examples = 0;
   for (const auto& entry :

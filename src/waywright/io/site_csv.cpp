@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "waywright/core/angle.hpp"
+#include "waywright/core/spelling.hpp"
 #include "waywright/io/csv_table.hpp"
 #include "waywright/io/files.hpp"
 #include "waywright/io/json_reader.hpp"
@@ -236,7 +237,7 @@ class RowReader {
     if (defaults_.seed && !json_.contains("seed")) json_["seed"] = *defaults_.seed;
     const bool named = json_.contains("planner") && json_["planner"].is_object() && json_["planner"].contains("name");
     if (!named && (!defaults_.planner.empty() || json_.contains("planner"))) {
-      const std::string otherwise = json_.contains("waypoints") ? planner_through_waypoints : PlannerChoice{}.name;
+      const std::string otherwise = json_.contains("waypoints") ? planner_through_waypoints : json_.contains("goal") && is_carrier(site_.vehicle) ? planner_to_goals : PlannerChoice{}.name;
       json_["planner"]["name"] = defaults_.planner.empty() ? otherwise : defaults_.planner;
     }
   }
@@ -286,7 +287,11 @@ Parsed<std::vector<SiteRow>> parse_site_csv(const std::string& text, const std::
   };
   for (const std::string& title : table->header) {
     auto column = column_of(title);
-    if (!column) return refuse(title.empty() ? "a column has no name" : fmt::format("the column \"{}\" is not known", shortened(title)), known_columns);
+    if (!column) {
+      std::vector<std::string> names;
+      for (const Known& k : known) names.emplace_back(k.name);
+      return refuse(title.empty() ? "a column has no name" : fmt::format("the column \"{}\" is not known{}", shortened(title), meant_instead(title, names)), known_columns);
+    }
     const auto same = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.path == column->path; });
     if (same != columns.end()) return refuse(fmt::format("the columns \"{}\" and \"{}\" say the same", shortened(same->name), shortened(title)), "one of them");
     columns.push_back(std::move(*column));
