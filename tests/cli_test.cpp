@@ -410,7 +410,6 @@ TEST_F(CommandLine, WhereAWordIsNotKnownTheOneThatMayBeMeantIsNamed) {
   refused(run("compare " + goal + " --planners astar:turn_cots=1"), {meant("turn_cost")});
   refused(run("compare " + goal + " --planners astar,theta_star --set turn_cots=1"), {"--set turn_cots", meant("turn_cost")});
   refused(run("check " + goal + " --planner atsar -o c"), {meant("astar")});
-  refused(run("pareto " + goal + " --set turn_cots=1"), {"turn_cots"});
   refused(run("list planers"), {meant("planners")});
   refused(run("list theta_satr"), {meant("theta_star")});
   refused(run("generate statoin -o s2.json"), {meant("station")});

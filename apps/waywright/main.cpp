@@ -231,7 +231,7 @@ int run(int argc, char** argv) {
     for (char& c : sentence) {
       if (c == '\n') c = ' ';
     }
-    if (e.get_name() == "ExtrasError") sentence += meant_on_command_line(app, argc, argv);
+    if (dynamic_cast<const CLI::ExtrasError*>(&e) != nullptr) sentence += meant_on_command_line(app, argc, argv);
     return complain({"", "command line", sentence, "see --help"});
   }
   if (app.get_subcommands().empty()) return plan_example();

@@ -140,8 +140,9 @@ std::vector<Action> with_joined_ends(const Problem& problem, const GridFrame& fr
   const Joiner joiner{problem, ends, test};
   Way way = joiner.way_of(actions);
   if (way.legs.size() < 2) return actions;
-  const bool at_start = ends.start && is_off_middles(frame, problem.start().position());
-  const bool at_goal = ends.goal && is_off_middles(frame, way.legs.back().to);
+  // A drive straight on from a pose, or straight into one, is no stub: out of an aisle it may be all that goes.
+  const bool at_start = ends.start && is_off_middles(frame, problem.start().position()) && std::abs(way.legs.front().turn) > same_place;
+  const bool at_goal = ends.goal && is_off_middles(frame, way.legs.back().to) && (problem.free_goal() != nullptr || std::abs(way.last_turn) > same_place);
   if (!at_start && !at_goal) return actions;
   if (at_goal) joiner.join_goal(way);
   if (at_start) joiner.join_start(way);

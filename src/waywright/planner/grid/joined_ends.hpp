@@ -16,7 +16,8 @@ struct EndsToJoin {
 
 /// A way in drives and turns, from the start's pose into the goal's position. Where an end is off the middles of the cells, it is joined by one straight drive to the
 /// farthest corner of the way to which each one before was joined, too: drives in one direction alone, each new drive and turn tested against the exact outlines as
-/// connections are, against no zone's direction. The way becomes neither longer, nor turns it more, nor costs it more. Poses on the middles of cells stay as they are.
+/// connections are, against no zone's direction. The way becomes neither longer, nor turns it more, nor costs it more. Poses on the middles of cells stay as they are,
+/// and so do ends that are driven straight on, without a turn.
 std::vector<Action> with_joined_ends(const Problem& problem, const GridFrame& frame, const std::vector<Action>& actions, const EndsToJoin& ends, MotionCheck& test);
 
 }  // namespace waywright
