@@ -228,7 +228,7 @@ TEST_F(CommandLine, ThePlanOfTheMovingHallWaits) {
   EXPECT_EQ(run("verify o/plan.json").status, 0);
   EXPECT_EQ(run("controls o/plan.json -o c").status, 0);
   Json plan = Json::parse(slurp(folder_ / "o/plan.json"));
-  plan["scenario"]["moving"][0]["track"] = {{0, 8, 0.5}, {39, 8, 7.4}};
+  plan["scenario"]["moving"][0]["track"] = {{0, 8, 0.5}, {25, 8, 7.4}};
   std::ofstream{folder_ / "slower.json"} << plan.dump();
   const Outcome slower = run("verify slower.json");
   EXPECT_EQ(slower.status, 1) << slower.out;
