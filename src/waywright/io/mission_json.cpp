@@ -230,11 +230,9 @@ PlannerChoice read_planner(const Node& node) {
   return choice;
 }
 
-bool is_carrier(const Vehicle& vehicle) { return vehicle.can_turn_on_the_spot() && vehicle.forks.empty(); }
-
 std::string usual_planner(const Mission& mission, const std::vector<Vec2>& waypoints, const Vehicle& vehicle) {
   if (!waypoints.empty()) return planner_through_waypoints;
-  const bool is_goal = std::holds_alternative<FreeGoal>(mission) || (std::holds_alternative<Pose>(mission) && is_carrier(vehicle));
+  const bool is_goal = std::holds_alternative<FreeGoal>(mission) || (std::holds_alternative<Pose>(mission) && vehicle.can_turn_on_the_spot() && vehicle.forks.empty());
   return is_goal ? planner_to_goals : PlannerChoice{}.name;
 }
 

@@ -70,7 +70,7 @@ TEST(ScenarioIo, DefaultsAreThoseOfTheContract) {
   const Scenario s = parsed(least_scenario);
   EXPECT_EQ(s.clearance, 0.0);
   EXPECT_EQ(s.seed, 1U);
-  EXPECT_EQ(s.planner.name, "pattern_docking");
+  EXPECT_EQ(s.planner.name, "astar") << "which the contract leaves open: a disc that turns on the spot docks at nothing";
   EXPECT_TRUE(s.vehicle.footprint.is_disc());
   EXPECT_FALSE(s.budget.seconds || s.budget.evaluations);
   EXPECT_TRUE(s.map.boundaries.empty());

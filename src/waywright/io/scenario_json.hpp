@@ -18,8 +18,6 @@ inline constexpr const char* planner_to_goals = "astar";
 
 /// The planner of a mission, or of a leg, that names none.
 std::string usual_planner(const Mission& mission, const std::vector<Vec2>& waypoints, const Vehicle& vehicle);
-/// Nothing docks with such a vehicle: it turns on the spot and has no forks.
-bool is_carrier(const Vehicle& vehicle);
 
 /// The whole scenario object; what is wrong is in the context. Paths in it are relative to `folder`. With `site` the object names no map and
 /// no vehicle: the vehicle, the notes and the map's record are the site's, and the scenario's map holds nothing but the notes. `noted`: what is

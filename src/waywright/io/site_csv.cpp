@@ -237,7 +237,7 @@ class RowReader {
     if (defaults_.seed && !json_.contains("seed")) json_["seed"] = *defaults_.seed;
     const bool named = json_.contains("planner") && json_["planner"].is_object() && json_["planner"].contains("name");
     if (!named && (!defaults_.planner.empty() || json_.contains("planner"))) {
-      const std::string otherwise = json_.contains("waypoints") ? planner_through_waypoints : json_.contains("goal") && is_carrier(site_.vehicle) ? planner_to_goals : PlannerChoice{}.name;
+      const std::string otherwise = json_.contains("waypoints") ? planner_through_waypoints : PlannerChoice{}.name;
       json_["planner"]["name"] = defaults_.planner.empty() ? otherwise : defaults_.planner;
     }
   }
