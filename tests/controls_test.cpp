@@ -147,6 +147,48 @@ TEST_F(Controls, MotorsThatCannotFollowAreStatusOneAndSayWhatTheyLack) {
   }
 }
 
+TEST_F(Controls, MotorsOfTheVehiclesFileBoundTheProfileAndAreTakenFromThere) {
+  Json scenario = Json::parse(slurp(example("fields/mecanum_discs.json")));
+  if (scenario["vehicle"].is_string()) {
+    const fs::path file = fs::path{example("fields/mecanum_discs.json")}.parent_path() / scenario["vehicle"].get<std::string>();
+    scenario["vehicle"] = Json::parse(slurp(file));
+  }
+  const Outcome free = run("controls " + planned(example("fields/mecanum_discs.json")) + " --json");
+  ASSERT_EQ(free.status, 0);
+  const double fast = Json::parse(free.out)["motors"]["greatest_wheel_speed"].get<double>();
+  Json& drive = scenario["vehicle"]["drive"];
+  drive["max_wheel_speed"] = 0.5 * fast;
+  drive["wheel_inertia"] = 2e-4;
+  drive["rolling_arm"] = 0.001;
+  drive["max_torque"] = 50;
+  std::ofstream{folder_ / "m.json"} << scenario.dump();
+  ASSERT_EQ(run("plan m.json -o m").status, 0);
+  EXPECT_EQ(run("verify m/plan.json").status, 0);
+  const Outcome o = run("controls m/plan.json --json");
+  ASSERT_EQ(o.status, 0) << o.err;
+  const Json motors = Json::parse(o.out)["motors"];
+  EXPECT_EQ(motors["slowing"], 1.0) << "the profile keeps to it already";
+  EXPECT_LE(motors["greatest_wheel_speed"].get<double>(), 0.5 * fast * (1.0 + 1e-9));
+  EXPECT_GT(motors["greatest_wheel_speed"].get<double>(), 0.49 * fast);
+  EXPECT_EQ(motors["rolling_arm"], 0.001);
+  EXPECT_EQ(motors["wheel_inertia"], 2e-4);
+  EXPECT_EQ(motors["max_torque"], 50.0);
+  // What is set comes before it.
+  const Outcome set = run("controls m/plan.json --json --set max_torque=40 --set rolling_arm=0 --set max_wheel_speed=" + std::to_string(0.4 * fast));
+  ASSERT_EQ(set.status, 0) << set.err;
+  const Json other = Json::parse(set.out)["motors"];
+  EXPECT_EQ(other["max_torque"], 40.0);
+  EXPECT_EQ(other["rolling_arm"], 0.0);
+  EXPECT_GT(other["slowing"].get<double>(), 1.2);
+  // A plan that is faster than its vehicle's wheels is not proven.
+  Json plan = Json::parse(slurp(folder_ / "m/plan.json"));
+  plan["scenario"]["vehicle"]["drive"]["max_wheel_speed"] = 0.4 * fast;
+  std::ofstream{folder_ / "faster.json"} << plan.dump();
+  const Outcome verified = run("verify faster.json");
+  EXPECT_EQ(verified.status, 1) << verified.out;
+  EXPECT_NE((verified.out + verified.err).find("over the"), std::string::npos) << verified.out << verified.err;
+}
+
 TEST_F(Controls, RefusesWhatItCannotUse) {
   const std::string plan = planned(example("goal_pose.json"));
   refused(run("controls nowhere.json"), {"nowhere.json"});

@@ -115,10 +115,16 @@ PlannerDescription exact_description() {
   return d;
 }
 
-/// Refused where the vehicle is none that has such motors, or the values fit none.
-Parsed<WheelMotors> motors_of(const Plan& plan, const Parameters& p, const ControlsArguments& arguments) {
+/// What is set, of what is not what the vehicle's file says. Refused where the vehicle is none that has such motors, or the values fit none.
+Parsed<WheelMotors> motors_of(const Plan& plan, const Parameters& p, const Parameters& set, const ControlsArguments& arguments) {
   const Vehicle& vehicle = plan.scenario.vehicle;
-  const WheelMotors m{number_of(p, "inertia"), number_of(p, "wheel_inertia"), number_of(p, "rolling_arm"), number_of(p, "max_torque"), number_of(p, "max_wheel_speed")};
+  WheelMotors m{number_of(p, "inertia"), number_of(p, "wheel_inertia"), number_of(p, "rolling_arm"), number_of(p, "max_torque"), number_of(p, "max_wheel_speed")};
+  if (const auto* mecanum = std::get_if<Mecanum>(&vehicle.drive)) {
+    if (!set.contains("wheel_inertia")) m.wheel_inertia = mecanum->wheel_inertia;
+    if (!set.contains("rolling_arm")) m.rolling_arm = mecanum->rolling_arm;
+    if (!set.contains("max_torque")) m.most_torque = mecanum->max_torque.value_or(0.0);
+    if (!set.contains("max_wheel_speed")) m.most_speed = mecanum->max_wheel_speed.value_or(0.0);
+  }
   if (arguments.set.empty()) return m;
   const auto refuse = [](const char* field, std::string problem, std::string allowed) {
     return tl::unexpected{InputError{"", field, std::move(problem), std::move(allowed)}};
@@ -286,7 +292,7 @@ int controls(const ControlsArguments& arguments) {
     if (prepared->pocket()) return complain({arguments.plan.string(), "station.insertion", "woa makes no controls for the way into a pocket", "--method exact"});
     problem = std::move(*prepared);
   }
-  const auto motors = is_whale ? Parsed<WheelMotors>{} : motors_of(*plan, *parameters, arguments);
+  const auto motors = is_whale ? Parsed<WheelMotors>{} : motors_of(*plan, *parameters, given, arguments);
   if (!motors) return complain(motors.error());
   const auto slowing = is_whale ? tl::expected<double, TooWeak>{1.0} : slowing_of(*plan, *period, *motors);
   if (!slowing) {

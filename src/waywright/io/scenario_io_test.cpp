@@ -97,7 +97,7 @@ TEST(ScenarioIo, RoundTripKeepsEveryBit) {
   made.map_source = "{}";
   made.map.points = {{0.1, -0.0}, {1e-300, 5e-324}, {1.0 / 3.0, 123456.789012345678}, {-1e6, 1e6}};
   made.mission = Pose{2.2250738585072014e-308, 0.30000000000000004, pi};
-  made.vehicle.drive = Mecanum{0.1, 0.2, 0.30000000000000004};
+  made.vehicle.drive = Mecanum{0.1, 0.2, 0.30000000000000004, 12.000000000000002, 3.3, 2e-4, 0.0010000000000000002};
   made.planner.parameters = {
       {"huge", 1e300}, {"tiny", -1e-300}, {"word", std::string{"\"quoted\"\n"}}, {"flag", false}};
   EXPECT_EQ(fingerprint(made), fingerprint(parsed(scenario_json(made))));
