@@ -228,7 +228,7 @@ TEST_F(CommandLine, ThePlanOfTheMovingHallWaits) {
   EXPECT_EQ(run("verify o/plan.json").status, 0);
   EXPECT_EQ(run("controls o/plan.json -o c").status, 0);
   Json plan = Json::parse(slurp(folder_ / "o/plan.json"));
-  plan["scenario"]["moving"][0]["track"] = {{0, 8, 0.5}, {39, 8, 7.4}};
+  plan["scenario"]["moving"][0]["track"] = {{0, 8, 0.5}, {25, 8, 7.4}};
   std::ofstream{folder_ / "slower.json"} << plan.dump();
   const Outcome slower = run("verify slower.json");
   EXPECT_EQ(slower.status, 1) << slower.out;
@@ -393,6 +393,45 @@ TEST_F(CommandLine, UsageErrorsAreOneSentence) {
   // A setting that cannot be searched is no map without a way; nothing is left behind.
   refused(run("plan " + example("grid_tugger.json") + " --set resolution=0.0001 -o fine"), {"grid_tugger.json", "planner.resolution", "coarser resolution", "0, or from about", "1 GiB"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "fine"));
+}
+
+TEST_F(CommandLine, WhereAWordIsNotKnownTheOneThatMayBeMeantIsNamed) {
+  const std::string s = write(scenario()), goal = example("goal_pose.json");
+  const auto meant = [](const char* word) { return std::string{", did you mean \""} + word + "\"?"; };
+  refused(run("plna " + s), {meant("plan")});
+  refused(run("plan " + s + " --planer astar"), {"--planer", meant("--planner")});
+  refused(run("map m.json --scenaro s.json"), {"--scenaro", meant("--scenario")});
+  refused(run("compare " + s + " --planer=astar"), {"--planer", meant("--planners")});
+  refused(run("plan " + s + " --planner patern_docking"), {"\"patern_docking\" is not known" + meant("pattern_docking"), "(allowed: pattern_docking, "});
+  refused(run("plan " + s + " --set optimiser=de"), {"--set optimiser", meant("optimizer")});
+  refused(run("plan " + s + " --set optimizer=pos"), {"--set optimizer", "\"pos\" is not known" + meant("pso")});
+  refused(run("plan " + goal + " --planner astar --set turn_cots=1"), {"--set turn_cots", meant("turn_cost")});
+  refused(run("compare " + goal + " --planners atsar"), {"--planners", meant("astar")});
+  refused(run("compare " + goal + " --planners astar:turn_cots=1"), {meant("turn_cost")});
+  refused(run("compare " + goal + " --planners astar,theta_star --set turn_cots=1"), {"--set turn_cots", meant("turn_cost")});
+  refused(run("check " + goal + " --planner atsar -o c"), {meant("astar")});
+  refused(run("list planers"), {meant("planners")});
+  refused(run("list theta_satr"), {meant("theta_star")});
+  refused(run("generate statoin -o s2.json"), {meant("station")});
+  refused(run("generate WOA-6 -o s2.json"), {meant("WOA-1")});
+  refused(run("reproduce safe_asatr"), {meant("safe_astar")});
+  struct Field {
+    const char *name, *value, *word;
+  };
+  for (const Field& f : {Field{"planner", R"({"name": "patern_docking"})", "pattern_docking"}, Field{"planner", R"({"name": "pattern_docking", "optimiser": "de"})", "optimizer"},
+                         Field{"map", R"({"generate": "SA-CONVEXE"})", "SA-CONVEX"}, Field{"budget", R"({"evaluation": 3})", "evaluations"}}) {
+    Json bad = scenario();
+    bad[f.name] = Json::parse(f.value);
+    refused(run("plan " + write(bad, "bad.json")), {"bad.json", meant(f.word)});
+  }
+  std::ofstream{folder_ / "m.yaml"} << "image: m.pgm\nresolution: 0.1\norigin: [0, 0, 0]\nocupied_thresh: 0.6\n";
+  refused(run("map m.yaml"), {"ocupied_thresh", meant("occupied_thresh")});
+  std::ofstream{folder_ / "site.csv"} << "name,start_x,start_y,start_headng\n";
+  refused(run("check site.csv --map " + example("warehouse.yaml") + " --vehicle " + example("vehicles/forklift.json")), {"start_headng", meant("start_heading")});
+  refused(run("map " + example("warehouse.dxf") + " --unit mn"), {"\"mn\" is not known", meant("mm")});
+  // What is like nothing gets no hint.
+  const Outcome o = run("plan " + s + " --planner teleport");
+  EXPECT_EQ(o.err.find("did you mean"), std::string::npos) << o.err;
 }
 
 TEST_F(CommandLine, TradeOffsAreProvenPlansOfWhichNoneIsBetterInAll) {

@@ -108,9 +108,85 @@ TEST_F(Controls, TorquesOfMecanumWheelsAndPlansThatAreDrivenSlowerForThem) {
     for (const Json& value : slow["series"][std::string{"torque_"} + wheel]) ASSERT_LE(std::abs(value.get<double>()), 0.7 * torque + 1e-6);
   }
   refused(run("controls " + plan + " --set inertia=100"), {"--set inertia: 100 is more than the whole mass has"});
-  refused(run("controls " + plan + " --set rolling_arm=0.01 --set max_torque=0.001"), {"--set: the motors are too weak"});
+  refused(run("controls " + plan + " --set max_torqe=1"), {"--set max_torqe: exact has no such parameter, did you mean \"max_torque\"?"});
+  refused(run("controls " + plan + " --method wao"), {"--method", "did you mean \"woa\"?"});
   refused(run("controls " + plan + " --set max_torque=-1"), {"--set max_torque: -1 is out of range"});
   refused(run("controls " + planned(example("goal_pose.json")) + " --set max_torque=1"), {"--set: the exact method's parameters are those of a mecanum base's motors"});
+}
+
+// The input is what it should be, and it cannot be done: status 1, with what it takes and what there is.
+TEST_F(Controls, MotorsThatCannotFollowAreStatusOneAndSayWhatTheyLack) {
+  const std::string plan = planned(example("fields/mecanum_discs.json"));
+  const auto number_behind = [](const std::string& text, const std::string& words) {
+    const std::size_t at = text.find(words);
+    EXPECT_NE(at, std::string::npos) << words << " is not in: " << text;
+    return at == std::string::npos ? 0.0 : std::stod(text.substr(at + words.size()));
+  };
+  // Rolling alone takes more than there is, however slowly.
+  const Outcome o = run("controls " + plan + " --set rolling_arm=0.001 --set max_torque=0.001 -o w");
+  EXPECT_EQ(o.status, 1) << o.out << o.err;
+  EXPECT_EQ(std::count(o.err.begin(), o.err.end(), '\n'), 1) << o.err;
+  EXPECT_FALSE(fs::exists(folder_ / "w"));
+  for (const char* words : {"p/plan.json: the motors are too weak for the plan: the ", " wheel needs ", " N m at ", " s, and max_torque is 0.001 N m", "would be enough at the plan's speed"}) {
+    EXPECT_NE(o.err.find(words), std::string::npos) << words << "\n" << o.err;
+  }
+  // What it calls enough is enough, and nearly as little as can be.
+  const double slowest = number_behind(o.err, "at the plan's speed, max_torque ");
+  const std::string so_much = " --set rolling_arm=0.001 --set max_torque=";
+  EXPECT_EQ(run("controls " + plan + so_much + std::to_string(1.01 * slowest) + " -o s").status, 0);
+  EXPECT_EQ(run("controls " + plan + so_much + std::to_string(0.9 * slowest) + " -o s").status, 1);
+  const double at_speed = number_behind(o.err, ". max_torque ");
+  ASSERT_EQ(run("controls " + plan + so_much + std::to_string(at_speed) + " -o s").status, 0);
+  EXPECT_EQ(Json::parse(slurp(folder_ / "s/controls.json"))["motors"]["slowing"], 1.0);
+  // Times among what moves cannot be stretched; the same of wheels that are too slow.
+  const std::string moving = planned(example("fields/mecanum_crossing.json"));
+  const Outcome late = run("controls " + moving + " --set max_wheel_speed=3");
+  EXPECT_EQ(late.status, 1) << late.err;
+  for (const char* words : {" wheel turns at ", " rad/s at ", "max_wheel_speed is 3 rad/s", "its times among what moves are proven", ". max_wheel_speed ", "would be enough"}) {
+    EXPECT_NE(late.err.find(words), std::string::npos) << words << "\n" << late.err;
+  }
+}
+
+TEST_F(Controls, MotorsOfTheVehiclesFileBoundTheProfileAndAreTakenFromThere) {
+  Json scenario = Json::parse(slurp(example("fields/mecanum_discs.json")));
+  if (scenario["vehicle"].is_string()) {
+    const fs::path file = fs::path{example("fields/mecanum_discs.json")}.parent_path() / scenario["vehicle"].get<std::string>();
+    scenario["vehicle"] = Json::parse(slurp(file));
+  }
+  const Outcome free = run("controls " + planned(example("fields/mecanum_discs.json")) + " --json");
+  ASSERT_EQ(free.status, 0);
+  const double fast = Json::parse(free.out)["motors"]["greatest_wheel_speed"].get<double>();
+  Json& drive = scenario["vehicle"]["drive"];
+  drive["max_wheel_speed"] = 0.5 * fast;
+  drive["wheel_inertia"] = 2e-4;
+  drive["rolling_arm"] = 0.001;
+  drive["max_torque"] = 50;
+  std::ofstream{folder_ / "m.json"} << scenario.dump();
+  ASSERT_EQ(run("plan m.json -o m").status, 0);
+  EXPECT_EQ(run("verify m/plan.json").status, 0);
+  const Outcome o = run("controls m/plan.json --json");
+  ASSERT_EQ(o.status, 0) << o.err;
+  const Json motors = Json::parse(o.out)["motors"];
+  EXPECT_EQ(motors["slowing"], 1.0) << "the profile keeps to it already";
+  EXPECT_LE(motors["greatest_wheel_speed"].get<double>(), 0.5 * fast * (1.0 + 1e-9));
+  EXPECT_GT(motors["greatest_wheel_speed"].get<double>(), 0.49 * fast);
+  EXPECT_EQ(motors["rolling_arm"], 0.001);
+  EXPECT_EQ(motors["wheel_inertia"], 2e-4);
+  EXPECT_EQ(motors["max_torque"], 50.0);
+  // What is set comes before it.
+  const Outcome set = run("controls m/plan.json --json --set max_torque=40 --set rolling_arm=0 --set max_wheel_speed=" + std::to_string(0.4 * fast));
+  ASSERT_EQ(set.status, 0) << set.err;
+  const Json other = Json::parse(set.out)["motors"];
+  EXPECT_EQ(other["max_torque"], 40.0);
+  EXPECT_EQ(other["rolling_arm"], 0.0);
+  EXPECT_GT(other["slowing"].get<double>(), 1.2);
+  // A plan that is faster than its vehicle's wheels is not proven.
+  Json plan = Json::parse(slurp(folder_ / "m/plan.json"));
+  plan["scenario"]["vehicle"]["drive"]["max_wheel_speed"] = 0.4 * fast;
+  std::ofstream{folder_ / "faster.json"} << plan.dump();
+  const Outcome verified = run("verify faster.json");
+  EXPECT_EQ(verified.status, 1) << verified.out;
+  EXPECT_NE((verified.out + verified.err).find("over the"), std::string::npos) << verified.out << verified.err;
 }
 
 TEST_F(Controls, RefusesWhatItCannotUse) {

@@ -96,6 +96,13 @@ TEST_F(CommandLine, AScenarioOfAPlantKeepsToItsLanesUnlessToldOtherwise) {
     EXPECT_EQ(other.status, 0) << other.err;
     EXPECT_EQ(other.out.find("lanes"), std::string::npos) << other.out;
   }
+  EXPECT_NE(made.err.find("the vehicle keeps to the lanes: nothing is free but strips"), std::string::npos) << made.err;
+  const auto freed = run("map ring.xml --off-lanes --scenario n.json --from D --to dock");
+  ASSERT_EQ(freed.status, 0) << freed.err;
+  EXPECT_NE(freed.err.find("the vehicle may leave the lanes: all is free 5 m around places and lanes"), std::string::npos) << freed.err;
+  EXPECT_EQ(Json::parse(slurp(folder_ / "n.json"))["map"]["source"]["margin"], 5);
+  refused(run("map ring.xml --off-lanes --corridor 2 --scenario n.json --from D --to dock"), {"--off-lanes", "--corridor"});
+  refused(run("map ring.xml --off-lanes"), {"--off-lanes", "--scenario"});
   refused(run("map ring.xml --margin 3 --corridor 2"), {"margin", "does not go with corridor"});
   refused(run("map " + example("warehouse.yaml") + " --margin 2"), {"no plant model"});
 }
@@ -130,6 +137,34 @@ TEST_F(CommandLine, LanesOfABuildingCanBeAllThatIsFree) {
   const auto planned = run("plan s.json -o o");
   EXPECT_EQ(planned.status, 0) << planned.out << planned.err;
   EXPECT_NE(planned.out.find("It keeps to the lanes: all of its 10.00 m lie within 0.75 m of their middle."), std::string::npos) << planned.out;
+}
+
+// As a plant's: kept unless told otherwise, and either is said.
+TEST_F(CommandLine, AScenarioOfABuildingKeepsToItsLanesUnlessToldOtherwise) {
+  std::string bent = building;  // from west to a corner off the straight way, along two lanes
+  bent.replace(bent.find("      - [0, 1, {bidirectional: [4, true]}]\n"), std::string{"      - [0, 1, {bidirectional: [4, true]}]\n"}.size(), "      - [0, 1, {bidirectional: [4, true]}]\n      - [1, 3, {bidirectional: [4, true]}]\n");
+  bent.replace(bent.find("[100, 100, 0, \"\"]"), std::string{"[100, 100, 0, \"\"]"}.size(), "[100, 100, 0, south]");
+  std::ofstream{folder_ / "a.building.yaml"} << bent;
+  const std::string ends = " --from west --to south --vehicle " + example("vehicles/disc_robot.json");
+  const auto made = run("map a.building.yaml --scenario s.json" + ends);
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.err.find("the vehicle keeps to the lanes: nothing is free but strips 1 m across along the lanes, in which it has room to turn"), std::string::npos) << made.err;
+  EXPECT_EQ(Json::parse(slurp(folder_ / "s.json"))["map"]["source"]["corridor"], 1);
+  const auto kept = run("plan s.json -o o");
+  ASSERT_EQ(kept.status, 0) << kept.out << kept.err;
+  EXPECT_NE(kept.out.find("It keeps to the lanes: all of its "), std::string::npos) << kept.out;
+  EXPECT_GT(Json::parse(slurp(folder_ / "o/plan.json"))["metrics"]["length"].get<double>(), 18.0);  // straight 14.1 m
+
+  const auto freed = run("map a.building.yaml --off-lanes --scenario f.json" + ends);
+  ASSERT_EQ(freed.status, 0) << freed.err;
+  EXPECT_NE(freed.err.find("the vehicle may leave the lanes: all that walls leave free may be driven on"), std::string::npos) << freed.err;
+  const auto off = run("plan f.json -o f");
+  ASSERT_EQ(off.status, 0) << off.out << off.err;
+  EXPECT_NE(off.out.find(" lie off the lanes"), std::string::npos) << off.out;
+  EXPECT_LT(Json::parse(slurp(folder_ / "f/plan.json"))["metrics"]["length"].get<double>(), 15.0);
+  // What drives there a building does not tell.
+  refused(run("map a.building.yaml --scenario s2.json --from west --to south"), {"a.building.yaml: --vehicle: the map tells no vehicle", "--vehicle FILE.json"});
+  refused(run("map a.building.yaml --scenario s2.json --from wets --to south --vehicle " + example("vehicles/disc_robot.json")), {"--from", "no place \"wets\", did you mean \"west\"?"});
 }
 
 TEST_F(CommandLine, LanesThatCannotBeScenariosAreRefused) {

@@ -5,8 +5,10 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "tests/real_maps.hpp"
 #include "waywright/judge/judge.hpp"
@@ -116,6 +118,15 @@ void run_planners(const RealMap& map, const std::filesystem::path& data, std::si
   }
 }
 
+/// Whom the environment names, parted by commas, to measure them alone; without it all.
+std::vector<std::string> planners_named() {
+  std::vector<std::string> names;
+  const char* all = std::getenv("WAYWRIGHT_TEST_PLANNERS");
+  std::stringstream text{all == nullptr ? "" : all};
+  for (std::string name; std::getline(text, name, ',');) names.push_back(name);
+  return names;
+}
+
 /// In columns of maps, rows of planners: solved of asked, and the median time of the solved ones.
 void print_tables() {
   std::vector<std::string> maps;
@@ -131,6 +142,7 @@ void print_tables() {
     std::printf("\n| --- |");
     for (std::size_t i = first; i < end; ++i) std::printf(" --- |");
     for (const PlannerDescription& planner : planners()) {
+      if (const auto named = planners_named(); !named.empty() && std::find(named.begin(), named.end(), planner.name) == named.end()) continue;
       std::printf("\n| `%s` |", planner.name.c_str());
       for (std::size_t i = first; i < end; ++i) {
         Cell& cell = table()[maps[i]][planner.name];
@@ -155,7 +167,7 @@ TEST_P(RealMapsFull, EveryPlannerIsProvenOrSaysWhyNot) {
   const RealMap& map = GetParam();
   const auto data = test::outside_data();
   if (!map.file.empty() && (!data || !std::filesystem::exists(*data / map.file))) GTEST_SKIP() << "no outside data: " << map.file << " (WAYWRIGHT_TEST_DATA)";
-  run_planners(map, data.value_or("."), 2, {});
+  run_planners(map, data.value_or("."), 2, planners_named());
 }
 
 INSTANTIATE_TEST_SUITE_P(Maps, RealMapsFull, testing::ValuesIn(test::real_maps()), [](const auto& map) { return map.param.name; });

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "outputs.hpp"
+#include "waywright/core/spelling.hpp"
 #include "waywright/io/files.hpp"
 #include "waywright/report/charts.hpp"
 #include "waywright/report/scene.hpp"
@@ -49,10 +50,11 @@ std::vector<std::string> split_list(const std::string& text) {
   return parts;
 }
 
-std::string known_planners() {
-  std::string names;
-  for (const PlannerDescription& p : planners()) names += p.name + ", ";
-  return names + "exec:COMMAND";
+std::vector<std::string> known_planners() {
+  std::vector<std::string> names;
+  for (const PlannerDescription& p : planners()) names.push_back(p.name);
+  names.emplace_back("exec:COMMAND");
+  return names;
 }
 
 /// NAME, NAME:key=value:… or exec:COMMAND.
@@ -64,9 +66,10 @@ Parsed<Contestant> contestant_from(const std::string& entry) {
   }
   const auto parts = split(entry, ':');
   const PlannerDescription* planner = parts.empty() ? nullptr : find_planner(parts[0]);
-  if (planner == nullptr)
-    return tl::unexpected{
-        InputError{"", "--planners", fmt::format("\"{}\" is not known", entry), known_planners()}};
+  if (planner == nullptr) {
+    const std::vector<std::string> known = known_planners();
+    return tl::unexpected{InputError{"", "--planners", fmt::format("\"{}\" is not known{}", entry, meant_instead(parts.empty() ? entry : parts[0], known)), list_of_words(known)}};
+  }
   Contestant contestant{entry, planner->name, {}, {}};
   for (std::size_t i = 1; i < parts.size(); ++i) {
     if (auto set = set_parameter(*planner, contestant.parameters, parts[i]); !set)
@@ -104,8 +107,18 @@ Parsed<std::vector<Contestant>> named_contestants(const std::string& list, const
     contestants.push_back(std::move(*contestant));
   }
   if (contestants.empty())
-    return tl::unexpected{InputError{"", "--planners", "no planner is named", known_planners()}};
+    return tl::unexpected{InputError{"", "--planners", "no planner is named", list_of_words(known_planners())}};
   return contestants;
+}
+
+/// Of all planners that are compared.
+std::vector<std::string> parameters_of(const std::vector<Contestant>& contestants) {
+  std::vector<std::string> names;
+  for (const Contestant& contestant : contestants) {
+    if (contestant.planner.empty()) continue;
+    for (const ParameterDescription& p : find_planner(contestant.planner)->parameters) names.push_back(p.name);
+  }
+  return names;
 }
 
 /// KEY=A,B makes one contestant of each value, of every planner that has the parameter.
@@ -146,8 +159,7 @@ Parsed<std::vector<Contestant>> with_settings(std::vector<Contestant> contestant
       }
     }
     if (!used)
-      return tl::unexpected{InputError{"", "--set " + key, "no planner compared has this parameter",
-                                       "see: waywright list PLANNER"}};
+      return tl::unexpected{InputError{"", "--set " + key, "no planner compared has this parameter" + meant_instead(key, parameters_of(contestants)), "see: waywright list PLANNER"}};
     contestants = std::move(more);
   }
   return contestants;

@@ -5,6 +5,7 @@
 
 #include "numbers.hpp"
 #include "outputs.hpp"
+#include "waywright/core/spelling.hpp"
 #include "waywright/drive/whale_controls.hpp"
 #include "waywright/io/controls_io.hpp"
 #include "waywright/io/files.hpp"
@@ -114,11 +115,16 @@ PlannerDescription exact_description() {
   return d;
 }
 
-/// Refused where the vehicle is none that has such motors, or the values fit none.
-Parsed<WheelMotors> motors_of(const Plan& plan, const Parameters& p, const ControlsArguments& arguments) {
+/// What is set, of what is not what the vehicle's file says. Refused where the vehicle is none that has such motors, or the values fit none.
+Parsed<WheelMotors> motors_of(const Plan& plan, const Parameters& p, const Parameters& set, const ControlsArguments& arguments) {
   const Vehicle& vehicle = plan.scenario.vehicle;
-  const WheelMotors m{number_of(p, "inertia"), number_of(p, "wheel_inertia"), number_of(p, "rolling_arm"), number_of(p, "max_torque"),
-                      number_of(p, "max_wheel_speed")};
+  WheelMotors m{number_of(p, "inertia"), number_of(p, "wheel_inertia"), number_of(p, "rolling_arm"), number_of(p, "max_torque"), number_of(p, "max_wheel_speed")};
+  if (const auto* mecanum = std::get_if<Mecanum>(&vehicle.drive)) {
+    if (!set.contains("wheel_inertia")) m.wheel_inertia = mecanum->wheel_inertia;
+    if (!set.contains("rolling_arm")) m.rolling_arm = mecanum->rolling_arm;
+    if (!set.contains("max_torque")) m.most_torque = mecanum->max_torque.value_or(0.0);
+    if (!set.contains("max_wheel_speed")) m.most_speed = mecanum->max_wheel_speed.value_or(0.0);
+  }
   if (arguments.set.empty()) return m;
   const auto refuse = [](const char* field, std::string problem, std::string allowed) {
     return tl::unexpected{InputError{"", field, std::move(problem), std::move(allowed)}};
@@ -137,17 +143,53 @@ Parsed<WheelMotors> motors_of(const Plan& plan, const Parameters& p, const Contr
   return m;
 }
 
-/// How many times slower the motors need it; refused where times are not to be stretched, or no stretching serves.
-Parsed<double> slowing_of(const Plan& plan, double period, const WheelMotors& motors) {
+/// The plan is what it should be, and these motors cannot follow it.
+struct TooWeak {
+  std::string sentence;
+};
+
+/// Which wheel would need more than it has, when, how much, and what it has; of what is over its limit, torque first.
+std::string shortfall(const WheelTorques& needed) {
+  const WheelMotors& m = needed.motors;
+  std::string words;
+  if (m.most_torque > 0.0 && needed.greatest_torque > m.most_torque)
+    words = fmt::format("the {} wheel needs {:.4g} N m at {:.2f} s, and max_torque is {:.4g} N m", needed.greatest_torque_wheel, needed.greatest_torque, needed.greatest_torque_at, m.most_torque);
+  if (m.most_speed > 0.0 && needed.greatest_speed > m.most_speed)
+    words += fmt::format("{}the {} wheel turns at {:.4g} rad/s at {:.2f} s, and max_wheel_speed is {:.4g} rad/s", words.empty() ? "" : "; ", needed.greatest_speed_wheel, needed.greatest_speed,
+                         needed.greatest_speed_at, m.most_speed);
+  return words;
+}
+
+/// The limits that would do, each that is exceeded rounded up to four digits.
+std::string enough(const WheelTorques& needed) {
+  const auto rounded_up = [](double value) {
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 3.0);
+    return std::ceil(value / unit) * unit;
+  };
+  const WheelMotors& m = needed.motors;
+  std::string words;
+  if (m.most_torque > 0.0 && needed.greatest_torque > m.most_torque) words = fmt::format("max_torque {:.5g} N m", rounded_up(needed.greatest_torque));
+  if (m.most_speed > 0.0 && needed.greatest_speed > m.most_speed) words += fmt::format("{}max_wheel_speed {:.5g} rad/s", words.empty() ? "" : " and ", rounded_up(needed.greatest_speed));
+  return words;
+}
+
+/// How many times slower the motors need it. Too weak where times are not to be stretched, or no stretching serves.
+tl::expected<double, TooWeak> slowing_of(const Plan& plan, double period, const WheelMotors& motors) {
   if (!has_motors(plan.scenario.vehicle)) return 1.0;
   const auto slowing = slowing_within(plan, period, motors);
-  const auto refuse = [](const std::string& problem) {
-    return tl::unexpected{InputError{"", "--set", problem, "stronger motors, or a plan with lower limits of speed and acceleration"}};
+  if (slowing && *slowing <= 1.0) return 1.0;
+  const WheelTorques needed = wheel_torques(plan, exact_controls(plan, period), motors);
+  const auto too_weak = [&](const std::string& why, const std::string& otherwise) {
+    return tl::unexpected{TooWeak{fmt::format("the motors are too weak for the plan: {}. {}. {} would be enough{}.", shortfall(needed), why, enough(needed), otherwise)}};
   };
-  if (!slowing) return refuse("the motors are too weak for the plan, though it be driven a hundred times slower or with a million commands");
-  if (*slowing > 1.0 && !plan.scenario.moving.empty())
-    return refuse(fmt::format("the plan would have to be driven {:.3f} times slower for these motors, and its times among what moves are proven", *slowing));
-  if (*slowing > 1.0 && plan.samples.front().speed > 0.0) return refuse("the plan begins in motion, and the motors are too weak to follow it");
+  if (!slowing) {
+    const double most = most_slowing(plan, period);
+    const Plan slow = slowed(plan, most);
+    const WheelTorques slowest = wheel_torques(slow, exact_controls(slow, period), motors);
+    return too_weak(fmt::format("Driven {:.4g} times slower it is no better: {}", most, shortfall(slowest)), fmt::format(" at the plan's speed, {} so much slower", enough(slowest)));
+  }
+  if (!plan.scenario.moving.empty()) return too_weak(fmt::format("It would have to be driven {:.3f} times slower, and its times among what moves are proven", *slowing), "");
+  if (plan.samples.front().speed > 0.0) return too_weak("It begins in motion, so it cannot be driven slower", "");
   return *slowing;
 }
 
@@ -216,7 +258,7 @@ Parsed<double> period_of(const ControlsArguments& arguments, const Plan& plan) {
 
 int controls(const ControlsArguments& arguments) {
   const bool is_whale = arguments.method == "woa";
-  if (!is_whale && arguments.method != "exact") return complain({"", "--method", fmt::format("\"{}\" is not known", arguments.method), "exact, woa"});
+  if (!is_whale && arguments.method != "exact") return complain({"", "--method", fmt::format("\"{}\" is not known{}", arguments.method, meant_instead(arguments.method, {"exact", "woa"})), "exact, woa"});
   if (!is_whale && arguments.seed) return complain({"", "--seed", "the exact method draws no numbers", "--method woa"});
   if (arguments.seed && *arguments.seed > static_cast<std::uint64_t>(INT64_MAX)) return complain({"", "--seed", "the number is out of range", "0 to 9223372036854775807"});
   if (auto once = check_each_key_once(arguments.set); !once) return complain(once.error());
@@ -250,10 +292,13 @@ int controls(const ControlsArguments& arguments) {
     if (prepared->pocket()) return complain({arguments.plan.string(), "station.insertion", "woa makes no controls for the way into a pocket", "--method exact"});
     problem = std::move(*prepared);
   }
-  const auto motors = is_whale ? Parsed<WheelMotors>{} : motors_of(*plan, *parameters, arguments);
+  const auto motors = is_whale ? Parsed<WheelMotors>{} : motors_of(*plan, *parameters, given, arguments);
   if (!motors) return complain(motors.error());
-  const auto slowing = is_whale ? Parsed<double>{1.0} : slowing_of(*plan, *period, *motors);
-  if (!slowing) return complain(slowing.error());
+  const auto slowing = is_whale ? tl::expected<double, TooWeak>{1.0} : slowing_of(*plan, *period, *motors);
+  if (!slowing) {
+    note(fmt::format("{}: {}", arguments.plan.string(), slowing.error().sentence));
+    return not_solved;
+  }
   const std::string& name = plan->scenario.name;
   const std::filesystem::path folder = arguments.out.value_or(default_folder((name.empty() ? arguments.plan.stem().string() : name) + "-controls"));
   const bool write = !arguments.json || arguments.out;

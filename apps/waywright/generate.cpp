@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include "outputs.hpp"
+#include "waywright/core/spelling.hpp"
 #include "waywright/io/files.hpp"
 #include "waywright/io/json_reader.hpp"
 #include "waywright/io/scenario_io.hpp"
+#include "waywright/map/field_worlds.hpp"
+#include "waywright/map/published_maps.hpp"
+#include "waywright/map/whale_maps.hpp"
 
 namespace waywright::app {
 namespace {
@@ -79,7 +83,9 @@ int generate(const GenerateArguments& arguments) {
     return write_scenario(arguments.out, *published);
   }
   if (arguments.name != "station") {
-    return complain({"", "generate", fmt::format("\"{}\" is not known", arguments.name), "station, stations, warehouse, or a publication's map: see `waywright list maps`"});
+    std::vector<std::string> names{"station", "stations", "warehouse"};
+    for (const auto* maps : {&published_map_names(), &whale_map_names(), &field_world_names()}) names.insert(names.end(), maps->begin(), maps->end());
+    return complain({"", "generate", fmt::format("\"{}\" is not known{}", arguments.name, meant_instead(arguments.name, names)), "station, stations, warehouse, or a publication's map: see `waywright list maps`"});
   }
   auto scenario = generate_station(arguments.seed, {arguments.boxes});
   if (!scenario) return complain(scenario.error());

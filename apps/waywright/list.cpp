@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "commands.hpp"
+#include "waywright/core/spelling.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/map/published_maps.hpp"
 #include "waywright/map/field_worlds.hpp"
@@ -56,7 +57,9 @@ int list(const std::string& what) {
     if (all) text += fmt::format("{}{}:\n", text.empty() ? "" : "\n", name);
   };
   bool known = false;
+  std::vector<std::string> names;  // that could have been asked for
   const auto section = [&](const char* name, auto fill) {
+    names.emplace_back(name);
     if (!all && what != name) return;
     known = true;
     heading(name);
@@ -100,7 +103,8 @@ int list(const std::string& what) {
     known = true;
   }
   if (!known) {
-    return complain({"", "list", fmt::format("\"{}\" is not known", what),
+    for (const PlannerDescription& p : planners()) names.push_back(p.name);
+    return complain({"", "list", fmt::format("\"{}\" is not known{}", what, meant_instead(what, names)),
                      "planners, optimizers, objectives, vehicles, maps, zones, generators, or a planner's name"});
   }
   return print(text) ? solved : not_solved;

@@ -7,11 +7,39 @@
 
 #include "commands.hpp"
 #include "map_scenario.hpp"
+#include "waywright/core/spelling.hpp"
 #include "waywright/core/version.hpp"
 
 namespace {
 
 using namespace waywright::app;
+
+/// What the first word that is neither a command nor an option of the command may have been meant to be: `, did you mean "…"?`, or nothing.
+std::string meant_on_command_line(const CLI::App& app, int argc, char** argv) {
+  const CLI::App* command = &app;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word{argv[i]};
+    std::vector<std::string> known;
+    if (!word.starts_with('-')) {
+      if (command != &app) continue;
+      const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+      const auto found = std::find_if(commands.begin(), commands.end(), [&](const CLI::App* c) { return c->get_name() == word; });
+      if (found != commands.end()) {
+        command = *found;
+        continue;
+      }
+      for (const CLI::App* c : commands) known.push_back(c->get_name());
+      return waywright::meant_instead(word, known);
+    }
+    const std::string_view option = word.substr(0, word.find('='));
+    for (const CLI::Option* o : command->get_options()) {
+      for (const std::string& name : o->get_lnames()) known.push_back("--" + name);
+      for (const std::string& name : o->get_snames()) known.push_back("-" + name);
+    }
+    if (std::find(known.begin(), known.end(), option) == known.end() && option.starts_with("--")) return waywright::meant_instead(option, known);
+  }
+  return {};
+}
 
 int run(int argc, char** argv) {
   CLI::App app{"waywright: safe, smooth, short and explainable paths for industrial mobile robots.\n"
@@ -134,19 +162,20 @@ int run(int argc, char** argv) {
   map_command->add_option("--overlay", map_arguments.overlay, "a map (ROS yaml, map.json, DXF) drawn in the same picture, as it lies in the world");
   map_command->add_option("--overlay-unit", map_arguments.overlay_unit, "of a DXF that --overlay names: mm, cm, m, in, ft (default: as the drawing says)");
   map_command->add_option("--picture", map_arguments.picture, "FILE.svg to write: the map, and what --overlay names");
-  map_command->add_option("--corridor", lane_arguments.corridor, "METRES: strips so wide along the lanes of a plant model or building are all that is free (default: with --scenario of a plant model as wide as the vehicle needs to turn)");
+  map_command->add_option("--corridor", lane_arguments.corridor, "METRES: strips so wide along the lanes of a plant model or building are all that is free (default: with --scenario as wide as the vehicle needs to turn)");
   map_command->add_option("--margin", lane_arguments.margin, "METRES, of an openTCS plant model, which has no walls: all is free so far around its places and lanes (default without --scenario: 5)");
   map_command->add_option("--scenario", lane_arguments.scenario, "scenario.json to write: from the place --from to the place --to of the map's lanes, with one-way lanes and speeds as zones");
   const std::vector<CLI::Option*> of_scenarios{
+      map_command->add_flag("--off-lanes", lane_arguments.off_lanes, "with --scenario: the vehicle may leave the lanes; what walls leave free is free, of a plant model all within --margin"),
       map_command->add_option("--from", lane_arguments.from, "with --scenario: name of a place, or of a station"),
       map_command->add_option("--to", lane_arguments.to, "with --scenario: the same"),
-      map_command->add_option("--vehicle", lane_arguments.vehicle, "with --scenario: vehicle.json (default: the model's first, as a box that turns on the spot)"),
+      map_command->add_option("--vehicle", lane_arguments.vehicle, "with --scenario: vehicle.json (default: the plant model's first, as a box that turns on the spot; an Open-RMF building tells none, so there it is needed)"),
       map_command->add_option("--lane-width", lane_arguments.lane_width, "with --scenario: METRES, of the lanes' zones (default: --corridor, or 1)"),
       map_command->add_option("--prefer", lane_arguments.prefer, "with --scenario: FACTOR under 1, what a metre on a lane costs (default: lanes are not preferred)")};
   map_command->callback([&] {
     const bool about_scenario = std::any_of(of_scenarios.begin(), of_scenarios.end(), [](const CLI::Option* option) { return option->count() > 0; });
     if (about_scenario && !lane_arguments.scenario) {
-      status = complain({"", "command line", "--from, --to, --vehicle, --lane-width and --prefer go with --scenario alone", "--scenario FILE.json beside them"});
+      status = complain({"", "command line", "--from, --to, --vehicle, --off-lanes, --lane-width and --prefer go with --scenario alone", "--scenario FILE.json beside them"});
       return;
     }
     map_arguments.about_drawing = std::any_of(of_drawings.begin(), of_drawings.end(), [](const CLI::Option* option) { return option->count() > 0; });
@@ -202,6 +231,7 @@ int run(int argc, char** argv) {
     for (char& c : sentence) {
       if (c == '\n') c = ' ';
     }
+    if (dynamic_cast<const CLI::ExtrasError*>(&e) != nullptr) sentence += meant_on_command_line(app, argc, argv);
     return complain({"", "command line", sentence, "see --help"});
   }
   if (app.get_subcommands().empty()) return plan_example();

@@ -176,15 +176,19 @@ int map(const MapArguments& arguments, const LaneArguments& about_lanes) {
   std::vector<std::string> doubts;
   FreeAlongLanes lanes_free{about_lanes.corridor, about_lanes.margin};
   auto whole = read_lane_map(arguments.file, pairs, lanes_free, &record, drawing, arguments.cells);
-  if (whole && is_named(arguments.file, ".xml") && !whole->lanes.empty() && about_lanes.scenario && !lanes_free.corridor && !lanes_free.margin) {
-    // Of a plant model, which has no walls, a scenario is one on its lanes.
+  if (about_lanes.off_lanes && lanes_free.corridor) return complain({"", "--off-lanes", "--corridor beside it makes lanes all that is free", "one of them"});
+  const bool keeps_lanes = !lanes_free.margin && !about_lanes.off_lanes;
+  if (whole && !whole->lanes.empty() && about_lanes.scenario && keeps_lanes && !lanes_free.corridor) {
+    // A scenario on a roadmap is one on its lanes.
     std::vector<std::string> told_later;
     const auto vehicle = vehicle_on_lanes(arguments.file, about_lanes, whole->lanes, told_later);
     if (!vehicle) return complain(vehicle.error());
     lanes_free.corridor = corridor_for(*vehicle);
-    doubts.push_back(fmt::format("nothing is free but strips {:g} m across along the lanes, in which the vehicle has room to turn: --corridor METRES makes others, --margin METRES frees all that far around", *lanes_free.corridor));
+    doubts.push_back(fmt::format("the vehicle keeps to the lanes: nothing is free but strips {:g} m across along the lanes, in which it has room to turn: --corridor METRES makes others, --off-lanes frees what lies beside them", *lanes_free.corridor));
     record.clear();
     whole = read_lane_map(arguments.file, pairs, lanes_free, &record, drawing, arguments.cells);
+  } else if (about_lanes.scenario && lanes_free.corridor) {
+    doubts.push_back(fmt::format("the vehicle keeps to the lanes: nothing is free but strips {:g} m across along the lanes", *lanes_free.corridor));
   }
   if (!whole) return complain(whole.error());
   Map* const map = &whole->map;
@@ -207,6 +211,10 @@ int map(const MapArguments& arguments, const LaneArguments& about_lanes) {
   if (arguments.out) files.push_back({*arguments.out, map_json(*map)});
   if (arguments.picture) files.push_back({*arguments.picture, picture_of(arguments, *map, below, pairs, whole->lanes)});
   if (about_lanes.scenario) {
+    if (!whole->lanes.empty() && !keeps_lanes) {
+      doubts.push_back(is_named(arguments.file, ".xml") ? fmt::format("the vehicle may leave the lanes: all is free {:g} m around places and lanes", lanes_free.margin.value_or(usual_margin))
+                                                        : std::string{"the vehicle may leave the lanes: all that walls leave free may be driven on"});
+    }
     LaneArguments along = about_lanes;
     along.corridor = lanes_free.corridor;
     const auto scenario = scenario_along_lanes(arguments.file, along, whole->lanes, *map, record, doubts);

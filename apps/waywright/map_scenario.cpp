@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "waywright/core/angle.hpp"
+#include "waywright/core/spelling.hpp"
 #include "waywright/io/json_reader.hpp"
 #include "waywright/io/scenario_io.hpp"
 #include "waywright/scenario/lane_zones.hpp"
@@ -32,6 +33,14 @@ std::string places_of(const LaneGraph& graph) {
   std::string names;
   for (std::size_t i = 0; i < std::min(graph.places.size(), most_named); ++i) names += (i == 0 ? "" : ", ") + graph.places[i].name;
   if (graph.places.size() > most_named) names += fmt::format(" and {} more: see map without --scenario", graph.places.size() - most_named);
+  return names;
+}
+
+/// What an end may be called.
+std::vector<std::string> names_of(const LaneGraph& graph) {
+  std::vector<std::string> names;
+  for (const LanePlace& place : graph.places) names.push_back(place.name);
+  for (const LaneStation& station : graph.stations) names.push_back(station.name);
   return names;
 }
 
@@ -106,7 +115,7 @@ std::string title_of_end(const std::string& asked, const LanePlace& place) { ret
 Parsed<Vehicle> vehicle_on_lanes(const std::filesystem::path& file, const LaneArguments& arguments, const LaneGraph& graph, std::vector<std::string>& doubts) {
   if (arguments.vehicle) return read_vehicle(*arguments.vehicle);
   const auto sized = std::find_if(graph.vehicles.begin(), graph.vehicles.end(), [](const LaneVehicle& v) { return v.length > 0.0 && v.width > 0.0; });
-  if (sized == graph.vehicles.end()) return refuse(file, "--vehicle", "the map tells no vehicle with a size", "a vehicle.json");
+  if (sized == graph.vehicles.end()) return refuse(file, "--vehicle", "the map tells no vehicle with a size (an Open-RMF building never does), and what drives there has to be known", "--vehicle FILE.json beside it, as examples/vehicles has them");
   doubts.push_back(fmt::format("the vehicle is {}, {:g} x {:g} m as the model has it, taken to turn on the spot: --vehicle names another", sized->name, sized->length, sized->width));
   return vehicle_of(*sized);
 }
@@ -122,7 +131,7 @@ Parsed<Scenario> scenario_along_lanes(const std::filesystem::path& file, const L
   for (const auto& [name, option] : {std::pair{arguments.from, "--from"}, std::pair{arguments.to, "--to"}}) {
     if (name.empty()) return refuse(file, option, "it names no place", places_of(graph));
     const auto place = place_named(graph, name);
-    if (!place) return refuse(file, option, fmt::format("there is no place \"{}\"", shortened(name)), places_of(graph));
+    if (!place) return refuse(file, option, fmt::format("there is no place \"{}\"{}", shortened(name), meant_instead(name, names_of(graph))), places_of(graph));
     ends.push_back(*place);
   }
   if (ends[0] == ends[1]) return refuse(file, "--to", "both ends are the same place", "two places");

@@ -13,6 +13,7 @@ namespace waywright::app {
 struct LaneArguments {
   std::optional<double> corridor;                 ///< m
   std::optional<double> margin;                   ///< m
+  bool off_lanes = false;                         ///< what lies beside lanes may be driven on, too
   std::optional<std::filesystem::path> scenario;  ///< to write: between two places
   std::string from, to;                           ///< names of them
   std::optional<std::filesystem::path> vehicle;   ///< that drives there

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "outputs.hpp"
+#include "waywright/core/spelling.hpp"
 #include "waywright/io/files.hpp"
 #include "waywright/study/reproduce_rrt_woa.hpp"
 #include "waywright/study/reproduce_safe_astar.hpp"
@@ -31,7 +32,7 @@ Reproduced whales(int runs, const std::atomic<bool>* cancel) {
 
 int reproduce(const ReproduceArguments& arguments) {
   const std::string& what = arguments.what;
-  if (what != "safe_astar" && what != "rrt_woa") return complain({"", "WHAT", fmt::format("\"{}\" is not known", what), "safe_astar, rrt_woa"});
+  if (what != "safe_astar" && what != "rrt_woa") return complain({"", "WHAT", fmt::format("\"{}\" is not known{}", what, meant_instead(what, {"safe_astar", "rrt_woa"})), "safe_astar, rrt_woa"});
   const auto folder = arguments.out.value_or(default_folder("reproduce-" + what));
   if (auto ready = prepare_folder(folder); !ready) return complain(ready.error());
   bool is_whole = true;

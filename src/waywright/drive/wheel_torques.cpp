@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace waywright {
 namespace {
 
-constexpr double most_slowing = 100.0, most_commands = 1e6;
+constexpr double slowest = 100.0, most_commands = 1e6;
 
 /// The legs' loads, in order, and the first sample of each leg. Of a plan without legs: the one that is carried.
 struct Carried {
@@ -38,9 +39,12 @@ MecanumBody body_of(const Vehicle& vehicle, const WheelMotors& motors, const std
 
 Twist mean(const Twist& a, const Twist& b) { return {0.5 * (a.forward + b.forward), 0.5 * (a.left + b.left), 0.5 * (a.turn + b.turn)}; }
 
+/// Keeps the greatest size of any wheel's, whose and when it was.
 template <class Wheels>
-double greatest(const Wheels& w) {
-  return std::max({std::abs(w.front_left), std::abs(w.front_right), std::abs(w.rear_left), std::abs(w.rear_right)});
+void keep_greatest(const Wheels& w, double t, double& most, double& at, std::string_view& wheel) {
+  for (const auto& [value, name] : {std::pair<double, std::string_view>{w.front_left, "front left"}, {w.front_right, "front right"}, {w.rear_left, "rear left"}, {w.rear_right, "rear right"}}) {
+    if (std::abs(value) > most) most = std::abs(value), at = t, wheel = name;
+  }
 }
 
 }  // namespace
@@ -72,9 +76,8 @@ WheelTorques wheel_torques(const Plan& plan, const ExactControls& controls, cons
         (power > 0.0 ? all.driving : all.braking) += controls.period * std::abs(power);
       }
       all.rolling_losses += controls.period * dynamics.power_lost(middle);
-      if (const double most = greatest(torques); most > all.greatest_torque) all.greatest_torque = most, all.greatest_torque_at = controls.rows[i].t;
-      if (const double most = greatest(wheels_of(drive, controls.rows[i].twist)); most > all.greatest_speed)
-        all.greatest_speed = most, all.greatest_speed_at = controls.rows[i].t;
+      keep_greatest(torques, controls.rows[i].t, all.greatest_torque, all.greatest_torque_at, all.greatest_torque_wheel);
+      keep_greatest(wheels_of(drive, controls.rows[i].twist), controls.rows[i].t, all.greatest_speed, all.greatest_speed_at, all.greatest_speed_wheel);
       from = to;
     }
     all.kinetic_change += dynamics.kinetic_energy(from) - before;
@@ -92,19 +95,24 @@ Plan slowed(const Plan& plan, double factor) {
   return slow;
 }
 
+double most_slowing(const Plan& plan, double period) { return std::max(1.0, std::min(slowest, most_commands * period / plan.samples.back().t)); }
+
 std::optional<double> slowing_within(const Plan& plan, double period, const WheelMotors& motors) {
   if (motors.most_torque <= 0.0 && motors.most_speed <= 0.0) return 1.0;
+  constexpr double rounding = 1e-9;  // a profile that keeps to the wheels' speed does so up to it
   const auto is_within = [&](double factor) {
+    const double share = factor > 1.0 ? 1.0 : 1.0 + rounding;
     const Plan slow = slowed(plan, factor);
     const WheelTorques torques = wheel_torques(slow, exact_controls(slow, period), motors);
-    return (motors.most_torque <= 0.0 || torques.greatest_torque <= motors.most_torque) && (motors.most_speed <= 0.0 || torques.greatest_speed <= motors.most_speed);
+    return (motors.most_torque <= 0.0 || torques.greatest_torque <= share * motors.most_torque) && (motors.most_speed <= 0.0 || torques.greatest_speed <= share * motors.most_speed);
   };
   if (is_within(1.0)) return 1.0;
-  double low = 1.0, high = 2.0;
+  const double most = most_slowing(plan, period);
+  double low = 1.0, high = std::min(2.0, most);
   while (!is_within(high)) {
-    if (high >= most_slowing || high * plan.samples.back().t > most_commands * period) return std::nullopt;
+    if (high >= most) return std::nullopt;
     low = high;
-    high = std::min(2.0 * high, most_slowing);
+    high = std::min(2.0 * high, most);
   }
   while (high - low > 1e-3) {
     const double middle = 0.5 * (low + high);

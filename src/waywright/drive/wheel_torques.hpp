@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "waywright/drive/controls.hpp"
@@ -24,8 +25,10 @@ struct WheelTorques {
   std::vector<MecanumTorques> rows;  ///< each holds as long as the command of this row; the last one stands: 0
   double greatest_torque = 0.0;      ///< N·m, of any wheel
   double greatest_torque_at = 0.0;   ///< s
+  std::string_view greatest_torque_wheel = "front left";  ///< whose it is: front left, front right, rear left, rear right
   double greatest_speed = 0.0;       ///< rad/s, of any wheel
   double greatest_speed_at = 0.0;    ///< s
+  std::string_view greatest_speed_wheel = "front left";
   double driving = 0.0;              ///< J, that motors do where they drive their wheels
   double braking = 0.0;              ///< J, that they take out where they brake them, ≥ 0
   double work = 0.0;                 ///< J, driving − braking
@@ -49,8 +52,11 @@ WheelTorques wheel_torques(const Plan& plan, const ExactControls& controls, cons
 /// The plan driven so many times slower: the same way, every time stretched evenly. @pre factor ≥ 1; the plan begins at rest
 Plan slowed(const Plan& plan, double factor);
 
-/// The least factor, to a thousandth, by which the plan is driven slower so that no limit of the motors is exceeded; 1 where none is; empty where a hundred times
-/// slower, or a million commands, are not enough. @pre as of wheel_torques
+/// The greatest factor that is tried: a hundred, or what makes a million commands of the plan. ≥ 1
+double most_slowing(const Plan& plan, double period);
+
+/// The least factor, to a thousandth, by which the plan is driven slower so that no limit of the motors is exceeded; 1 where none is; empty where most_slowing is
+/// not enough. @pre as of wheel_torques
 std::optional<double> slowing_within(const Plan& plan, double period, const WheelMotors& motors);
 
 }  // namespace waywright

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "waywright/core/spelling.hpp"
 #include "waywright/dxf/chains.hpp"
 #include "waywright/dxf/drawing.hpp"
 #include "waywright/dxf/expand.hpp"
@@ -36,7 +37,7 @@ Parsed<Unit> unit_of(const Drawing& drawing, const std::string& name, const Opti
   for (const Unit& unit : units) {
     if (options.unit.empty() ? unit.insunits == drawing.unit : unit.name == options.unit) return unit;
   }
-  if (!options.unit.empty()) return tl::unexpected{InputError{name, "unit", fmt::format("\"{}\" is not known", one_line(options.unit)), "mm, cm, m, in, ft"}};
+  if (!options.unit.empty()) return tl::unexpected{InputError{name, "unit", fmt::format("\"{}\" is not known{}", one_line(options.unit), meant_instead(options.unit, {"mm", "cm", "m", "in", "ft"})), unit_names}};
   const Vec2 size = drawing.box.high - drawing.box.low;
   const std::string why = drawing.unit == 0 ? "the drawing names no unit ($INSUNITS)" : fmt::format("the drawing's unit ($INSUNITS {}) is not one of floor plans", drawing.unit);
   return tl::unexpected{InputError{name, "", fmt::format("{}; it is about {:.0f} x {:.0f} units: give unit (--unit)", why, size.x, size.y), unit_names}};

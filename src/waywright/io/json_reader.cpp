@@ -6,52 +6,17 @@
 #include <array>
 #include <cmath>
 
+#include "waywright/core/spelling.hpp"
+
 namespace waywright {
 namespace {
 
-constexpr std::size_t longest_hint = 64;    // bytes of a field's name that a hint is looked for
 constexpr std::size_t longest_name = 4096;  // bytes of a file name
 constexpr double largest_angle = 1e6;       // rad; beyond it a wrapped angle has lost too many digits
 constexpr double any_number = 1e300;        // a limit beyond it is none
 constexpr double largest_whole = 9007199254740992.0;  // 2^53: whole numbers up to it are exact as doubles
 
-/// Edits (a letter more, less, another, or two swapped) from one word to another.
-std::size_t edits_between(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before(b.size() + 1), row(b.size() + 1), next(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    next[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      next[j] = std::min({row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        next[j] = std::min(next[j], before[j - 2] + 1);
-    }
-    std::swap(before, row);
-    std::swap(row, next);
-  }
-  return row[b.size()];
-}
-
-/// The word that was meant, where one is near: one edit for short words, up to three for long ones, never
-/// most of the letters.
-std::string nearest_of(const std::string& word, std::initializer_list<const char*> known) {
-  if (word.size() > longest_hint) return {};
-  std::string nearest;
-  std::size_t least = std::min({std::size_t{3}, word.size() / 2, 1 + word.size() / 5}) + 1;
-  for (const char* k : known) {
-    if (const std::size_t d = edits_between(word, k); d < least) {
-      least = d;
-      nearest = k;
-    }
-  }
-  return nearest;
-}
-
-std::string list_of(std::initializer_list<const char*> words) {
-  std::string list;
-  for (const char* w : words) list += (list.empty() ? "" : ", ") + std::string{w};
-  return list;
-}
+std::vector<std::string> words_of(std::initializer_list<const char*> words) { return {words.begin(), words.end()}; }
 
 std::string child(const std::string& path, std::string_view field) {
   return path.empty() ? std::string{field} : path + "." + std::string{field};
@@ -105,11 +70,8 @@ bool Node::is_object_of(std::initializer_list<const char*> fields) const {
   }
   for (const auto& [key, value] : json_->get_ref<const Json::object_t&>()) {
     if (std::any_of(fields.begin(), fields.end(), [&k = key](const char* f) { return k == f; })) continue;
-    const std::string nearest = nearest_of(key, fields);
-    context_->fail(
-        child(path_, shortened(key)),
-        nearest.empty() ? "unknown field" : fmt::format("unknown field, did you mean \"{}\"?", nearest),
-        list_of(fields));
+    const std::vector<std::string> known = words_of(fields);
+    context_->fail(child(path_, shortened(key)), "unknown field" + meant_instead(key, known), list_of_words(known));
     return false;
   }
   return true;
@@ -249,16 +211,13 @@ std::string Node::text() const {
 
 std::string Node::word(std::initializer_list<const char*> words) const {
   if (!json_->is_string()) {
-    fail(fmt::format("it is {}", kind_of(*json_)), list_of(words));
+    fail(fmt::format("it is {}", kind_of(*json_)), list_of_words(words_of(words)));
     return {};
   }
   const std::string given = text();
   if (failed() || std::any_of(words.begin(), words.end(), [&](const char* w) { return given == w; }))
     return given;
-  const std::string nearest = nearest_of(given, words);
-  fail(fmt::format("\"{}\" is not known{}", shortened(given),
-                   nearest.empty() ? "" : ", did you mean \"" + nearest + "\"?"),
-       list_of(words));
+  fail(fmt::format("\"{}\" is not known{}", shortened(given), meant_instead(given, words_of(words))), list_of_words(words_of(words)));
   return given;
 }
 

@@ -13,6 +13,8 @@
 
 namespace waywright {
 
+inline constexpr double usual_margin = 5.0;  ///< m
+
 struct LaneMap {
   Map map;
   LaneGraph lanes;  ///< empty where the file has none
@@ -21,7 +23,7 @@ struct LaneMap {
 /// What is free by the lanes. At most one of the two.
 struct FreeAlongLanes {
   std::optional<double> corridor{};  ///< m, > 0: nothing but strips so wide along them, beside which walls of a building stay walls
-  std::optional<double> margin{};    ///< m, > 0, of a plant model, which has no walls: all that far around them
+  std::optional<double> margin{};    ///< m, > 0, of a plant model, which has no walls: all that far around them; usual_margin where there is no corridor either
 };
 
 /// As read_map, with the lanes of an Open-RMF building or an openTCS plant model, placed as the map is.

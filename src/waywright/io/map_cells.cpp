@@ -1,6 +1,7 @@
 // Maps of cells: ROS, pictures, MovingAI, and what is generated.
 #include <fmt/format.h>
 
+#include "waywright/core/spelling.hpp"
 #include "waywright/io/map_io.hpp"
 #include "waywright/io/map_kinds.hpp"
 #include "waywright/io/map_parts.hpp"
@@ -75,11 +76,9 @@ void read_generated(const MapBeingRead& m, Json& source) {
   }
   auto made = published_map(name);
   if (!made) {
-    std::string names;
-    for (const auto* all : {&published_map_names(), &whale_map_names(), &field_world_names()}) {
-      for (const std::string& n : *all) names += (names.empty() ? "" : ", ") + n;
-    }
-    return node.fail(fmt::format("\"{}\" is not known", shortened(name)), names);
+    std::vector<std::string> names;
+    for (const auto* all : {&published_map_names(), &whale_map_names(), &field_world_names()}) names.insert(names.end(), all->begin(), all->end());
+    return node.fail(fmt::format("\"{}\" is not known{}", shortened(name), meant_instead(name, names)), list_of_words(names));
   }
   if (!count_cells(m.node, made->grid.columns, made->grid.rows)) return;
   source["name"] = name;

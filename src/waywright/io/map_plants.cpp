@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "waywright/io/files.hpp"
+#include "waywright/io/lane_map_io.hpp"
 #include "waywright/io/map_kinds.hpp"
 #include "waywright/io/map_parts.hpp"
 #include "waywright/io/opentcs_map.hpp"
@@ -18,7 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t largest_building = 16ULL << 20;  // bytes
 constexpr std::uint64_t largest_plant = 64ULL << 20;     // bytes
-constexpr double usual_margin = 5.0;                     // m around a plant model, which has no walls
 
 struct CorridorAsked {
   double width = 0.0, cell = 0.0;  // m; of a cell 0: by the width

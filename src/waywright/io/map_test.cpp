@@ -290,7 +290,7 @@ TEST_F(Files, RosHeadersAreReadStrictly) {
   };
   EXPECT_EQ(sentence("negate: true\nfree_thresh: 0.3\noccupied_thresh: 0.3\n"), "");
   EXPECT_EQ(sentence("resolution: 0.1\n"), "resolution: the field is given twice (each field once)");
-  EXPECT_EQ(sentence("occupied_tresh: 0.9\n"), "occupied_tresh: unknown field (image, resolution, origin, negate, occupied_thresh, free_thresh, mode)");
+  EXPECT_EQ(sentence("occupied_tresh: 0.9\n"), "occupied_tresh: unknown field, did you mean \"occupied_thresh\"? (image, resolution, origin, negate, occupied_thresh, free_thresh, mode)");
   EXPECT_EQ(sentence("negate: 7\n"), "negate: 7 is no truth value (0, 1, true, false)");
   EXPECT_EQ(sentence("occupied_thresh: 0.1\n"), "occupied_thresh: 0.1 is under free_thresh 0.196 (free_thresh or more)");
   EXPECT_EQ(sentence("free_thresh: .nan\n"), "free_thresh: \".nan\" is not a number that can be used (a number, 0 to 1)");

@@ -165,9 +165,7 @@ void read_legs(const Node& whole, Scenario& scenario) {
     Leg leg = read_leg(node, scenario.map.notes);
     if (whole.failed()) return;
     if (!leg.planner && !whole.has("planner")) {
-      if (!leg.waypoints.empty()) leg.planner = PlannerChoice{planner_through_waypoints, {}};
-      else if (std::holds_alternative<FreeGoal>(leg.mission)) leg.planner = PlannerChoice{planner_to_free_goals, {}};
-      else if (std::holds_alternative<Pose>(leg.mission) && scenario.vehicle.can_turn_on_the_spot() && scenario.vehicle.forks.empty()) leg.planner = PlannerChoice{planner_of_carriers, {}};
+      if (std::string usual = usual_planner(leg.mission, leg.waypoints, scenario.vehicle); usual != PlannerChoice{}.name) leg.planner = PlannerChoice{std::move(usual), {}};
     }
     scenario.legs.push_back(std::move(leg));
   }
@@ -230,6 +228,12 @@ PlannerChoice read_planner(const Node& node) {
   if (node.is_object()) choice.name = node.at("name").text();
   choice.parameters = read_parameters(node);
   return choice;
+}
+
+std::string usual_planner(const Mission& mission, const std::vector<Vec2>& waypoints, const Vehicle& vehicle) {
+  if (!waypoints.empty()) return planner_through_waypoints;
+  const bool is_goal = std::holds_alternative<FreeGoal>(mission) || (std::holds_alternative<Pose>(mission) && vehicle.can_turn_on_the_spot() && vehicle.forks.empty());
+  return is_goal ? planner_to_goals : PlannerChoice{}.name;
 }
 
 void read_whole_mission(const Node& node, Scenario& scenario) {

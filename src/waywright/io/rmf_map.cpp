@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "waywright/core/spelling.hpp"
 #include "waywright/io/json_reader.hpp"
 #include "waywright/io/yaml_text.hpp"
 
@@ -33,19 +34,19 @@ class Building {
     const YAML::Node levels = root.IsMap() ? root["levels"] : YAML::Node{};
     if (!levels.IsDefined() || !levels.IsMap() || levels.size() == 0) return refuse("levels", "it has no levels", "an Open-RMF building");
     const std::string system = word(root["coordinate_system"], "reference_image");
-    if (system != "reference_image" && system != "cartesian_meters") return refuse("coordinate_system", fmt::format("\"{}\" is not read", shortened(system)), "reference_image, cartesian_meters");
+    if (system != "reference_image" && system != "cartesian_meters") return refuse("coordinate_system", fmt::format("\"{}\" is not read{}", shortened(system), meant_instead(system, {"reference_image", "cartesian_meters"})), "reference_image, cartesian_meters");
     is_image_ = system == "reference_image";
-    std::string all;
+    std::vector<std::string> all;
     YAML::Node level;
     for (const auto& entry : levels) {
       const std::string one = word(entry.first, "");
-      all += (all.empty() ? "" : ", ") + shortened(one);
+      all.push_back(shortened(one));
       if (one == wanted_ || (wanted_.empty() && levels.size() == 1)) {
         level.reset(entry.second);
         path_ = "levels." + shortened(one);
       }
     }
-    if (path_.empty()) return refuse("level", wanted_.empty() ? "it has several levels" : fmt::format("there is no level \"{}\"", shortened(wanted_)), all);
+    if (path_.empty()) return refuse("level", wanted_.empty() ? "it has several levels" : fmt::format("there is no level \"{}\"{}", shortened(wanted_), meant_instead(wanted_, all)), list_of_words(all));
     if (!level.IsMap()) return refuse(path_, "it is no map of fields", "vertices, walls, measurements");
     if (!read_vertices(level["vertices"]) || !read_scale(level["measurements"]) || !read_walls(level["walls"]) || !read_lanes(level["lanes"])) return tl::unexpected{*error_};
     if (lanes_.empty()) name_places();  // else they are the lanes' places

@@ -69,7 +69,7 @@ TEST(RmfMap, LanesAreRoutesBesideTheWalls) {
 TEST(RmfMap, BadOnesAreRefusedInASentence) {
   EXPECT_NE(refusal("a: 1").find("levels: it has no levels"), std::string::npos);
   EXPECT_NE(refusal("[1, 2]").find("levels"), std::string::npos);
-  EXPECT_NE(refusal(two_rooms, "L2").find("there is no level \"L2\" (allowed: L1)"), std::string::npos);
+  EXPECT_NE(refusal(two_rooms, "L2").find("there is no level \"L2\", did you mean \"L1\"? (allowed: L1)"), std::string::npos);
   EXPECT_NE(refusal(two_rooms + "  L2: {}\n").find("it has several levels (allowed: L1, L2)"), std::string::npos);
   EXPECT_NE(refusal("coordinate_system: wgs84\n" + two_rooms).find("wgs84"), std::string::npos);
   EXPECT_NE(refusal(with(two_rooms, "[1, 2, {}]", "[1, 7, {}]")).find("levels.L1.walls[1]: it is no wall"), std::string::npos);

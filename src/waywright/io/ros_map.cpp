@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "waywright/core/spelling.hpp"
 #include "waywright/io/files.hpp"
 #include "waywright/io/image.hpp"
 #include "waywright/io/json_reader.hpp"
@@ -66,7 +67,7 @@ class HeaderReader {
     const std::string mode = root_["mode"] ? scalar("mode", false) : "trinary";
     if (mode == "scale") header.mode = Header::Mode::scale;
     else if (mode == "raw") header.mode = Header::Mode::raw;
-    else if (mode != "trinary") context_.fail("mode", fmt::format("\"{}\" is not known", mode), "trinary, scale, raw");
+    else if (mode != "trinary") context_.fail("mode", fmt::format("\"{}\" is not known{}", mode, meant_instead(mode, {"trinary", "scale", "raw"})), "trinary, scale, raw");
     return header;
   }
 
@@ -76,11 +77,10 @@ class HeaderReader {
   /// Each field known and given once: a threshold that is misspelt would make obstacles of free space, or the other way round.
   void check_fields() {
     std::vector<std::string> seen;
-    std::string all;
-    for (const char* name : known) all += (all.empty() ? "" : ", ") + std::string{name};
+    const std::vector<std::string> names{known.begin(), known.end()};
     for (const auto& entry : root_) {
       const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : std::string{};
-      if (std::find(known.begin(), known.end(), name) == known.end()) return context_.fail(shortened(name), "unknown field", all);
+      if (std::find(known.begin(), known.end(), name) == known.end()) return context_.fail(shortened(name), "unknown field" + meant_instead(name, names), list_of_words(names));
       if (std::find(seen.begin(), seen.end(), name) != seen.end()) return context_.fail(name, "the field is given twice", "each field once");
       seen.push_back(name);
     }

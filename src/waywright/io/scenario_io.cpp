@@ -208,12 +208,8 @@ Scenario read_scenario_node(const Node& node, const fs::path& folder, const Site
     node.at("moving").fail("a mission in legs has no place for it yet, since a leg knows nothing of the time before it", "an empty array, or a mission of one goal or station");
   }
   if (node.has("budget")) scenario.budget = read_budget(node.at("budget"));
-  if (!scenario.waypoints.empty()) scenario.planner.name = planner_through_waypoints;
-  if (std::holds_alternative<FreeGoal>(scenario.mission)) scenario.planner.name = planner_to_free_goals;
-  if (node.has("planner")) {
-    const Node planner = node.at("planner");
-    scenario.planner = read_planner(planner);
-  }
+  if (scenario.legs.empty()) scenario.planner.name = usual_planner(scenario.mission, scenario.waypoints, scenario.vehicle);
+  if (node.has("planner")) scenario.planner = read_planner(node.at("planner"));
   if (node.has("seed")) scenario.seed = static_cast<std::uint64_t>(node.at("seed").integer(0, most));
   if (notes.size() > notes_of_map) source["notes"] = notes;
   scenario.map_source = source.dump(-1, ' ', false, Json::error_handler_t::replace);

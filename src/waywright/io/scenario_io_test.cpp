@@ -70,7 +70,7 @@ TEST(ScenarioIo, DefaultsAreThoseOfTheContract) {
   const Scenario s = parsed(least_scenario);
   EXPECT_EQ(s.clearance, 0.0);
   EXPECT_EQ(s.seed, 1U);
-  EXPECT_EQ(s.planner.name, "pattern_docking");
+  EXPECT_EQ(s.planner.name, "astar") << "which the contract leaves open: a disc that turns on the spot docks at nothing";
   EXPECT_TRUE(s.vehicle.footprint.is_disc());
   EXPECT_FALSE(s.budget.seconds || s.budget.evaluations);
   EXPECT_TRUE(s.map.boundaries.empty());
@@ -97,10 +97,31 @@ TEST(ScenarioIo, RoundTripKeepsEveryBit) {
   made.map_source = "{}";
   made.map.points = {{0.1, -0.0}, {1e-300, 5e-324}, {1.0 / 3.0, 123456.789012345678}, {-1e6, 1e6}};
   made.mission = Pose{2.2250738585072014e-308, 0.30000000000000004, pi};
-  made.vehicle.drive = Mecanum{0.1, 0.2, 0.30000000000000004};
+  made.vehicle.drive = Mecanum{0.1, 0.2, 0.30000000000000004, 12.000000000000002, 3.3, 2e-4, 0.0010000000000000002};
   made.planner.parameters = {
       {"huge", 1e300}, {"tiny", -1e-300}, {"word", std::string{"\"quoted\"\n"}}, {"flag", false}};
   EXPECT_EQ(fingerprint(made), fingerprint(parsed(scenario_json(made))));
+}
+
+TEST(ScenarioIo, WhereNoPlannerIsNamedItIsTheOneForTheMission) {
+  struct Case {
+    const char *vehicle, *goal, *planner;
+  };
+  const char* turns = R"({"footprint": {"disc": 0.3}, "drive": {"type": "differential", "track": 0.5}})";
+  const char* slides = R"({"footprint": {"disc": 0.3}, "drive": {"type": "mecanum", "wheel_radius": 0.1, "half_length": 0.3, "half_width": 0.2}})";
+  const char* steers = R"({"footprint": {"disc": 0.3}, "drive": {"type": "tricycle", "wheelbase": 0.5, "max_steering": 1}})";
+  const char* forked = R"({"footprint": [[-1,-1],[1,-1],[1,1],[-1,1]], "forks": [[0,-1],[1,-1],[1,1],[0,1]], "drive": {"type": "differential", "track": 0.5}})";
+  for (const Case& c : {Case{turns, "[1, 1, 0]", "astar"}, Case{slides, "[1, 1, 0]", "astar"}, Case{steers, "[1, 1, 0]", "pattern_docking"}, Case{forked, "[1, 1, 0]", "pattern_docking"},
+                        Case{turns, "[1, 1]", "astar"}, Case{forked, "[1, 1]", "astar"}}) {
+    const std::string text = std::string{R"({"format": "waywright-scenario/1", "map": {"polygons": {}}, "start": [0, 0, 0], "vehicle": )"} + c.vehicle + R"(, "goal": )" + c.goal;
+    EXPECT_EQ(parsed(text + "}").planner.name, c.planner) << c.vehicle << c.goal;
+    EXPECT_EQ(parsed(text + R"(, "waypoints": [[3, 3]]})").planner.name, "waypoint_clothoid");
+    EXPECT_EQ(parsed(text + R"(, "planner": {"name": "voronoi"}})").planner.name, "voronoi");
+    // A leg's is the same.
+    const std::string legs = std::string{R"({"format": "waywright-scenario/1", "map": {"polygons": {}}, "start": [0, 0, 0], "vehicle": )"} + c.vehicle + R"(, "legs": [{"goal": )" + c.goal + "}]}";
+    const Scenario in_legs = parsed(legs);
+    EXPECT_EQ(in_legs.legs.front().planner.value_or(in_legs.planner).name, c.planner);
+  }
 }
 
 TEST(ScenarioIo, BundledExamplesKeepEveryBit) {

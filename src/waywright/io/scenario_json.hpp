@@ -13,11 +13,11 @@ namespace waywright {
 
 /// Of missions with waypoints that name no planner.
 inline constexpr const char* planner_through_waypoints = "waypoint_clothoid";
-/// Of missions to goals that leave the heading free.
-inline constexpr const char* planner_to_free_goals = "astar";
+/// Of missions to goals that leave the heading free, and to goal poses where the vehicle turns on the spot and has no forks: nothing there docks.
+inline constexpr const char* planner_to_goals = "astar";
 
-/// Of legs to a pose, where the vehicle turns on the spot and has no forks: nothing there docks.
-inline constexpr const char* planner_of_carriers = "astar";
+/// The planner of a mission, or of a leg, that names none.
+std::string usual_planner(const Mission& mission, const std::vector<Vec2>& waypoints, const Vehicle& vehicle);
 
 /// The whole scenario object; what is wrong is in the context. Paths in it are relative to `folder`. With `site` the object names no map and
 /// no vehicle: the vehicle, the notes and the map's record are the site's, and the scenario's map holds nothing but the notes. `noted`: what is

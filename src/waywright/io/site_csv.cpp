@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "waywright/core/angle.hpp"
+#include "waywright/core/spelling.hpp"
 #include "waywright/io/csv_table.hpp"
 #include "waywright/io/files.hpp"
 #include "waywright/io/json_reader.hpp"
@@ -286,7 +287,11 @@ Parsed<std::vector<SiteRow>> parse_site_csv(const std::string& text, const std::
   };
   for (const std::string& title : table->header) {
     auto column = column_of(title);
-    if (!column) return refuse(title.empty() ? "a column has no name" : fmt::format("the column \"{}\" is not known", shortened(title)), known_columns);
+    if (!column) {
+      std::vector<std::string> names;
+      for (const Known& k : known) names.emplace_back(k.name);
+      return refuse(title.empty() ? "a column has no name" : fmt::format("the column \"{}\" is not known{}", shortened(title), meant_instead(title, names)), known_columns);
+    }
     const auto same = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.path == column->path; });
     if (same != columns.end()) return refuse(fmt::format("the columns \"{}\" and \"{}\" say the same", shortened(same->name), shortened(title)), "one of them");
     columns.push_back(std::move(*column));

@@ -116,7 +116,7 @@ class Fingerprint {
       add(d->track);
     } else {
       const auto& m = std::get<Mecanum>(drive);
-      add_all(m.wheel_radius, m.half_length, m.half_width);
+      add_all(m.wheel_radius, m.half_length, m.half_width, m.max_wheel_speed, m.max_torque, m.wheel_inertia, m.rolling_arm);
     }
   }
   void add(const Vehicle& v) {

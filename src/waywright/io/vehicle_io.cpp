@@ -11,6 +11,7 @@ namespace waywright {
 namespace {
 
 constexpr double most = 1e6;                      // of speeds, accelerations, curvatures, masses
+constexpr double most_torque = 1e9;               // N m
 constexpr double longest = 1e3;                   // m
 constexpr std::size_t most_forks = 16;            // polygons
 constexpr std::uint64_t largest_file = 16 << 20;  // bytes
@@ -65,8 +66,16 @@ Drive read_drive(const Node& node) {
     if (!node.is_object_of({"type", "track"})) return Differential{};
     return Differential{extent("track")};
   }
-  if (!node.is_object_of({"type", "wheel_radius", "half_length", "half_width"})) return Mecanum{};
-  return Mecanum{extent("wheel_radius"), extent("half_length"), extent("half_width")};
+  Mecanum mecanum;
+  if (!node.is_object_of({"type", "wheel_radius", "half_length", "half_width", "max_wheel_speed", "max_torque", "wheel_inertia", "rolling_arm"})) return mecanum;
+  mecanum.wheel_radius = extent("wheel_radius");
+  mecanum.half_length = extent("half_length");
+  mecanum.half_width = extent("half_width");
+  if (node.has("max_wheel_speed")) mecanum.max_wheel_speed = node.at("max_wheel_speed").number_above(0.0, most);
+  if (node.has("max_torque")) mecanum.max_torque = node.at("max_torque").number_above(0.0, most_torque);
+  if (node.has("wheel_inertia")) mecanum.wheel_inertia = node.at("wheel_inertia").number(0.0, most);
+  if (node.has("rolling_arm") && !node.failed()) mecanum.rolling_arm = node.at("rolling_arm").number(0.0, mecanum.wheel_radius);
+  return mecanum;
 }
 
 Json drive_to_json(const Drive& drive) {
@@ -79,10 +88,12 @@ Json drive_to_json(const Drive& drive) {
   if (const auto* d = std::get_if<Differential>(&drive))
     return {{"type", "differential"}, {"track", d->track}};
   const auto& m = std::get<Mecanum>(drive);
-  return {{"type", "mecanum"},
-          {"wheel_radius", m.wheel_radius},
-          {"half_length", m.half_length},
-          {"half_width", m.half_width}};
+  Json j{{"type", "mecanum"}, {"wheel_radius", m.wheel_radius}, {"half_length", m.half_length}, {"half_width", m.half_width}};
+  if (m.max_wheel_speed) j["max_wheel_speed"] = *m.max_wheel_speed;
+  if (m.max_torque) j["max_torque"] = *m.max_torque;
+  if (m.wheel_inertia > 0.0) j["wheel_inertia"] = m.wheel_inertia;
+  if (m.rolling_arm > 0.0) j["rolling_arm"] = m.rolling_arm;
+  return j;
 }
 
 Limits read_limits(const Node& node) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "waywright/core/spelling.hpp"
 #include "waywright/io/json_reader.hpp"
 #include "waywright/io/map_io.hpp"
 #include "waywright/io/map_parts.hpp"
@@ -138,10 +139,11 @@ class ConfigReader {
 
   void add(const std::string& key, Node node) {
     if (!is_known(key)) {
-      std::string all;
-      for (const auto& k : parameter_keys) all += std::string{k.key} + ", ";
-      for (const auto& k : ignored_keys) all += std::string{k.key} + ", ";
-      return node.fail("unknown key", all + dilation_key + ", " + epsilon_key + ", " + map_key);
+      std::vector<std::string> all;
+      for (const auto& k : parameter_keys) all.emplace_back(k.key);
+      for (const auto& k : ignored_keys) all.emplace_back(k.key);
+      for (const char* k : {dilation_key, epsilon_key, map_key}) all.emplace_back(k);
+      return node.fail("unknown key" + meant_instead(key, all), list_of_words(all));
     }
     if (std::any_of(keys_.begin(), keys_.end(), [&](const auto& k) { return k.first == key; })) return node.fail("the key is given twice, by itself and in an object", "once");
     keys_.emplace_back(key, std::move(node));

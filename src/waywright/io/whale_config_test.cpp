@@ -91,7 +91,7 @@ TEST(WhaleConfig, BadOnesAreRefusedInASentence) {
   EXPECT_EQ(refusal(R"({"MapProcessor": {"Map_Name": "1", "Obstacles_Dilation": 3}})"), "c.json: MapProcessor.Obstacles_Dilation: the map is made of polygons and has no pixels (allowed: 0, or a picture as the map)");
   EXPECT_EQ(refusal(R"({"MapProcessor_Map_Name": "1", "PathOptimizer_Width_Bound": 2.5, "PathOptimizer_Height_Bound": 2})"),
             "c.json: PathOptimizer_Height_Bound: the two bounds differ, and a way is varied by one (allowed: 2.5, as PathOptimizer_Width_Bound and PathOptimizer_Height_Bound both)");
-  EXPECT_NE(refusal(R"({"MapProcessor_Map_Name": "1", "PathPlanner_Stepsize": 1})").find("PathPlanner_Stepsize: unknown key (allowed: ReturnOnFirstPath, "), std::string::npos);
+  EXPECT_NE(refusal(R"({"MapProcessor_Map_Name": "1", "PathPlanner_Stepsize": 1})").find("PathPlanner_Stepsize: unknown key, did you mean \"PathPlanner_Step_Size\"? (allowed: ReturnOnFirstPath, "), std::string::npos);
   EXPECT_NE(refusal(R"({"MapProcessor_Map_Name": "1", "PathPlanner_Iterations": 1.5})").find("PathPlanner_Iterations: "), std::string::npos);
   EXPECT_NE(refusal(R"({"MapProcessor_Map_Name": "1", "RenderGraphics": 1})").find("RenderGraphics: "), std::string::npos);
   EXPECT_NE(refusal(R"({"MapProcessor_Map_Name": "1", "MapProcessor": {"Map_Name": "2"}})").find("given twice"), std::string::npos);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "waywright/core/spelling.hpp"
 #include "waywright/planner/registry.hpp"
 
 namespace waywright {
@@ -13,16 +14,16 @@ namespace {
 
 std::string range_of(const ParameterDescription& p) { return fmt::format("{} to {}{}{}", p.low, p.high, p.unit.empty() ? "" : " ", p.unit); }
 
-std::string names_of(const PlannerDescription& planner) {
-  std::string names;
-  for (const ParameterDescription& p : planner.parameters) names += (names.empty() ? "" : ", ") + p.name;
-  return names.empty() ? "none" : names;
+std::vector<std::string> names_of(const PlannerDescription& planner) {
+  std::vector<std::string> names;
+  for (const ParameterDescription& p : planner.parameters) names.push_back(p.name);
+  return names;
 }
 
-std::string choices_of(const ParameterDescription& p) {
-  std::string text;
-  for (const std::string& c : p.choices) text += (text.empty() ? "" : ", ") + c;
-  return text;
+/// What is said of a parameter that the planner does not have.
+InputError unknown_parameter(const PlannerDescription& planner, std::string field, const std::string& name) {
+  const std::vector<std::string> names = names_of(planner);
+  return InputError{"", std::move(field), fmt::format("{} has no such parameter{}", planner.name, meant_instead(name, names)), names.empty() ? "none" : list_of_words(names)};
 }
 
 const ParameterDescription* find(const PlannerDescription& planner, const std::string& name) {
@@ -50,16 +51,17 @@ std::optional<InputError> check(const ParameterDescription& p, const ParameterVa
   }
   if (const auto* word = std::get_if<std::string>(&value)) {
     if (std::find(p.choices.begin(), p.choices.end(), *word) == p.choices.end()) {
-      return InputError{"", field, fmt::format("\"{}\" is not known", *word), choices_of(p)};
+      return InputError{"", field, fmt::format("\"{}\" is not known{}", *word, meant_instead(*word, p.choices)), list_of_words(p.choices)};
     }
   }
   return std::nullopt;
 }
 
-std::string names_of_planners() {
-  std::string names;
-  for (const PlannerDescription& p : planners()) names += (names.empty() ? "" : ", ") + p.name;
-  return names;
+/// What is said of a planner's name that is not known, with the name that may have been meant.
+InputError unknown_planner(const std::string& name, std::string field) {
+  std::vector<std::string> names;
+  for (const PlannerDescription& p : planners()) names.push_back(p.name);
+  return InputError{"", std::move(field), fmt::format("\"{}\" is not known{}", name, meant_instead(name, names)), list_of_words(names)};
 }
 
 }  // namespace
@@ -67,7 +69,7 @@ std::string names_of_planners() {
 Parsed<Parameters> complete_parameters(const PlannerChoice& choice) {
   const PlannerDescription* planner = find_planner(choice.name);
   if (planner == nullptr) {
-    return tl::unexpected{InputError{"", "planner.name", fmt::format("\"{}\" is not known", choice.name), names_of_planners()}};
+    return tl::unexpected{unknown_planner(choice.name, "planner.name")};
   }
   return complete_parameters(*planner, choice.parameters);
 }
@@ -78,8 +80,7 @@ Parsed<Parameters> complete_parameters(const PlannerDescription& planner, const 
   for (const auto& [name, value] : given) {
     const ParameterDescription* p = find(planner, name);
     if (p == nullptr) {
-      return tl::unexpected{InputError{"", "planner." + name, fmt::format("{} has no such parameter", planner.name),
-                                       names_of(planner)}};
+      return tl::unexpected{unknown_parameter(planner, "planner." + name, name)};
     }
     if (auto error = check(*p, value)) return tl::unexpected{*error};
     complete[name] = value;
@@ -141,8 +142,7 @@ Parsed<void> set_parameter(const PlannerDescription& planner, Parameters& parame
   const std::string text = key_value.substr(equals + 1);
   const ParameterDescription* p = find(planner, key);
   if (p == nullptr) {
-    return tl::unexpected{InputError{"", "--set " + key, fmt::format("{} has no such parameter", planner.name),
-                                     names_of(planner)}};
+    return tl::unexpected{unknown_parameter(planner, "--set " + key, key)};
   }
   ParameterValue value;
   if (std::holds_alternative<bool>(p->default_value)) {

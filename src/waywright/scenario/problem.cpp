@@ -265,12 +265,17 @@ std::optional<Failure> Problem::check_motion() const {
   double most = std::numeric_limits<double>::infinity();
   if (limits.lateral_acceleration) most = std::min(most, std::sqrt(*limits.lateral_acceleration / bend));
   if (limits.angular_speed) most = std::min(most, *limits.angular_speed / std::abs(motion_->turning));
+  const char* wheels = "";
+  if (const auto* mecanum = std::get_if<Mecanum>(&vehicle().drive); mecanum != nullptr && mecanum->max_wheel_speed) {
+    most = std::min(most, mecanum->max_speed(motion_->course ? *motion_->course - scenario_.start.heading : 0.0, 0.0, motion_->turning));
+    wheels = " and of its wheels' speed";
+  }
   if (motion_->speed <= most * (1.0 + slack)) return std::nullopt;
   Failure failure;
   failure.status = Status::no_path;
   failure.pose = scenario_.start;
-  failure.reason = fmt::format("the vehicle begins at {:.4f} m/s with a curvature of {:.4f} 1/m{}, where its limits of lateral acceleration and angular speed allow {:.4f} m/s",
-                               motion_->speed, motion_->curvature, motion_->course ? fmt::format(" and turns by {:.4f} rad/m", motion_->turning) : std::string{}, most);
+  failure.reason = fmt::format("the vehicle begins at {:.4f} m/s with a curvature of {:.4f} 1/m{}, where its limits of lateral acceleration and angular speed{} allow {:.4f} m/s",
+                               motion_->speed, motion_->curvature, motion_->course ? fmt::format(" and turns by {:.4f} rad/m", motion_->turning) : std::string{}, wheels, most);
   return failure;
 }
 

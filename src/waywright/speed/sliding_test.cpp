@@ -74,6 +74,54 @@ TEST(SpeedOfSliding, WhatLeadsBackwardsKeepsItsOwnLimit) {
   }
 }
 
+/// rad/s of the fastest wheel at the samples and between them, as positions go there.
+double fastest_wheel(const std::vector<Sample>& samples, const Mecanum& drive) {
+  double fastest = 0.0;
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+    const Sample &a = samples[i], &b = samples[i + 1];
+    if (!(b.s > a.s)) continue;
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      const double v = std::sqrt(a.speed * a.speed + share * (b.speed * b.speed - a.speed * a.speed));
+      const double off = (1.0 - share) * (a.course - a.heading) + share * (a.course - a.heading + shorter_turn(a.course - a.heading, b.course - b.heading));
+      const double x = v * std::cos(off), y = v * std::sin(off), turn = v * std::max(std::abs(a.turning()), std::abs(b.turning()));
+      for (const double side : {y, -y}) {
+        for (const double arm : {drive.half_length + drive.half_width, -drive.half_length - drive.half_width}) fastest = std::max(fastest, std::abs(x + side + arm * turn) / drive.wheel_radius);
+      }
+    }
+  }
+  return fastest;
+}
+
+TEST(SpeedOfSliding, NoWheelIsFasterThanItMay) {
+  Vehicle vehicle = base();
+  Path path;
+  path.pieces.push_back({Line{{0, 0}, {6, 0}}, 1, HeadingAlong{0.0, 4.0}});                // turns while it drives
+  path.pieces.push_back({Arc{{6, 0, 0}, 0.5, 3.0}, 1, HeadingAlong{4.0, -2.0}});
+  path.pieces.push_back({Line{end_pose(Piece{Arc{{6, 0, 0}, 0.5, 3.0}, 1, {}}).position(), {12, 8}}, 1, HeadingAlong{2.0, 0.0}});
+  const double free = fastest_wheel(profiled(path, vehicle), std::get<Mecanum>(vehicle.drive));
+  ASSERT_GT(free, 25.0);
+  for (const double most : {20.0, 8.0, 1.0}) {
+    std::get<Mecanum>(vehicle.drive).max_wheel_speed = most;
+    const double fastest = fastest_wheel(profiled(path, vehicle), std::get<Mecanum>(vehicle.drive));
+    EXPECT_LE(fastest, most * (1.0 + 1e-12));
+    EXPECT_GE(fastest, most * 0.999) << "as fast as it may";
+  }
+  // Straight ahead 10 rad/s are 0.5 m/s, askew 1/√2 of that.
+  std::get<Mecanum>(vehicle.drive).max_wheel_speed = 10.0;
+  for (const double off : {0.0, 0.25 * pi, 0.5 * pi}) {
+    Path straight;
+    straight.pieces.push_back({Line{{0, 0}, {6, 0}}, 1, HeadingAlong{off, 0.0}});
+    double fastest = 0.0;
+    for (const Sample& sample : profiled(straight, vehicle)) fastest = std::max(fastest, sample.speed);
+    EXPECT_NEAR(fastest, off == 0.25 * pi ? 0.5 / std::sqrt(2.0) : 0.5, 1e-9) << off;
+  }
+  std::get<Mecanum>(vehicle.drive).max_wheel_speed = 2.0;  // on the spot 2 · 0.05/0.4 rad/s
+  vehicle.limits.angular_acceleration = 1e6;
+  Path turn;
+  turn.pieces.push_back({Turn{{0, 0}, 0.0, 2.0}, 0});
+  EXPECT_NEAR(profiled(turn, vehicle).back().t, 2.0 / 0.25, 1e-4);
+}
+
 TEST(SpeedOfSliding, StandsWhereTheTurningJumpsOnlyIfThatTakesTime) {
   Path path;
   path.pieces.push_back({Line{{0, 0}, {4, 0}}, 1, HeadingAlong{0.0, 0.0}});

@@ -49,7 +49,7 @@ double turn_on_the_spot(const Sample& from, const Sample& to) {
   return on_the_spot || std::abs(turn) > turning_threshold ? turn : 0.0;
 }
 
-/// m²/s², greatest v² at a sample by speed, lateral acceleration, angular speed and steering rate. @pre its curvature and rate are finite
+/// m²/s², greatest v² at a sample by speed, lateral acceleration, angular speed, steering rate and wheel speed. @pre its curvature and rate are finite
 double cap_at(const Sample& at, int direction, const Vehicle& vehicle) {
   const Limits& limits = vehicle.limits;
   double cap = square(direction < 0 ? limits.reverse_speed : limits.speed);
@@ -62,6 +62,9 @@ double cap_at(const Sample& at, int direction, const Vehicle& vehicle) {
     // Steering angle atan(Lκ): its rate is Lκ′v / (1 + (Lκ)²).
     const double per_metre = tricycle->wheelbase * std::abs(at.curvature_rate) / (1.0 + square(tricycle->wheelbase * at.curvature));
     cap = std::min(cap, square(*tricycle->max_steering_rate / per_metre));
+  }
+  if (const auto* mecanum = std::get_if<Mecanum>(&vehicle.drive); mecanum != nullptr && mecanum->max_wheel_speed) {
+    cap = std::min(cap, square(mecanum->max_speed(at.course - at.heading, 0.0, at.turning())));
   }
   return cap;
 }
@@ -82,6 +85,10 @@ SpeedStep make_step(const Sample& from, const Sample& to, const Vehicle& vehicle
     return step;
   }
   step.top = std::min(cap_at(from, to.direction, vehicle), cap_at(to, to.direction, vehicle));
+  if (const auto* mecanum = std::get_if<Mecanum>(&vehicle.drive); mecanum != nullptr && mecanum->max_wheel_speed) {
+    const double off = from.course - from.heading;
+    step.top = std::min(step.top, square(mecanum->max_speed(off, shorter_turn(off, to.course - to.heading), step.turning)));
+  }
   return step;
 }
 
@@ -262,9 +269,9 @@ double rest_to_rest(const SpeedStep& step, const Limits& limits) {
 }
 
 /// s after which `part` of a turn by `whole` (both > 0, rad) is done, from rest to rest.
-double turning_time(double part, double whole, const Limits& limits) {
-  const double speed = limits.angular_speed.value_or(default_angular_speed);
-  const double acceleration = limits.angular_acceleration.value_or(default_angular_acceleration);
+double turning_time(double part, double whole, const Vehicle& vehicle) {
+  const double speed = std::min(vehicle.limits.angular_speed.value_or(default_angular_speed), vehicle.max_turning_speed().value_or(infinity));
+  const double acceleration = vehicle.limits.angular_acceleration.value_or(default_angular_acceleration);
   const double total = rest_to_rest(whole, acceleration, acceleration, speed);
   const double ramp = std::min(0.5 * whole, 0.5 * speed * speed / acceleration);
   if (part <= ramp) return std::sqrt(2.0 * part / acceleration);
@@ -274,8 +281,7 @@ double turning_time(double part, double whole, const Limits& limits) {
 
 /// Times of the turn on the spot that begins with step i; returns the step after it. A turn goes on through
 /// steps of one place and one sense.
-std::size_t time_turn(std::vector<Sample>& samples, const std::vector<SpeedStep>& steps, std::size_t i,
-                      const Limits& limits) {
+std::size_t time_turn(std::vector<Sample>& samples, const std::vector<SpeedStep>& steps, std::size_t i, const Vehicle& vehicle) {
   std::size_t end = i;
   double whole = 0.0;
   const auto goes_on = [&](std::size_t k) {
@@ -290,7 +296,7 @@ std::size_t time_turn(std::vector<Sample>& samples, const std::vector<SpeedStep>
   double part = 0.0;
   for (std::size_t k = i; k < end; ++k) {
     part = std::min(whole, part + std::abs(steps[k].turn));
-    samples[k + 1].t = std::max(samples[k].t, begin + turning_time(part, whole, limits));
+    samples[k + 1].t = std::max(samples[k].t, begin + turning_time(part, whole, vehicle));
   }
   return end;
 }
@@ -311,7 +317,7 @@ double assign_speed(std::vector<Sample>& samples, const Vehicle& vehicle, double
   samples.front().t = 0.0;
   for (std::size_t i = 0; i < steps.size();) {
     if (steps[i].turn != 0.0) {
-      i = time_turn(samples, steps, i, vehicle.limits);
+      i = time_turn(samples, steps, i, vehicle);
       continue;
     }
     const double sum = samples[i].speed + samples[i + 1].speed;

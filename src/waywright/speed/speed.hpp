@@ -16,7 +16,7 @@ inline constexpr double default_angular_acceleration = 1.0;  ///< rad/s², of tu
 /// direction, at corners of a way that the vehicle does not face along, and where the curvature jumps while curvature rate, steering rate or angular acceleration is
 /// limited, and keeps speed (by direction), acceleration, deceleration, lateral acceleration, angular speed
 /// and acceleration (|θ′·a + θ″·v²|; θ′ = κ where the vehicle faces along), and the steering rate (wheelbase·|dκ/ds|·v / (1 + (wheelbase·κ)²) ≤
-/// max_steering_rate). v² is linear in s between samples, but for steps that begin and end at rest, which
+/// max_steering_rate), and of a mecanum base its wheels' greatest speed. v² is linear in s between samples, but for steps that begin and end at rest, which
 /// speed up and slow down within; turning on the spot follows the angular limits (1 rad/s and 1 rad/s² where
 /// absent); a steered wheel that has to turn while the vehicle stands is waited for. Laws: t never decreases
 /// and is finite; speed ≥ 0; limits hold at both ends of every step. Returns the total time in s.
@@ -38,7 +38,7 @@ struct LimitsAlong {
 struct SpeedStep {
   double length = 0.0;  ///< m; 0: both samples are at one place
   double turn = 0.0;    ///< rad, of a turn on the spot; else 0
-  double top = std::numeric_limits<double>::infinity();  ///< m²/s², greatest v² by speed, lateral acceleration, angular speed, steering rate
+  double top = std::numeric_limits<double>::infinity();  ///< m²/s², greatest v² by speed, lateral acceleration, angular speed, steering rate, wheel speed, wheel speed
   double turning = 0.0;  ///< greatest |dθ/ds| of the heading, rad/m: |κ| where the vehicle faces along
   double rate = 0.0;     ///< greatest |d²θ/ds²|, rad/m²
 };

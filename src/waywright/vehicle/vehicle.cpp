@@ -24,6 +24,18 @@ double Footprint::front() const {
 
 double Footprint::least_width() const { return is_disc() ? 2.0 * disc : waywright::least_width(polygon); }
 
+double Mecanum::max_speed(double off, double change, double turning) const {
+  if (!max_wheel_speed) return std::numeric_limits<double>::infinity();
+  const auto sizes = [](double angle) {
+    const SinCos side = sin_cos(angle);
+    return std::abs(side.cos) + std::abs(side.sin);
+  };
+  const double least = std::min(off, off + change), most = std::max(off, off + change);
+  const bool is_askew = std::floor(most / (0.5 * pi) - 0.5) >= std::ceil(least / (0.5 * pi) - 0.5);  // an odd eighth of a turn lies between
+  const double share = is_askew ? std::sqrt(2.0) : std::max(sizes(least), sizes(most));
+  return *max_wheel_speed * wheel_radius / (share + (half_length + half_width) * std::abs(turning));
+}
+
 double Vehicle::max_curvature() const {
   double bound = limits.curvature.value_or(std::numeric_limits<double>::infinity());
   if (const auto* tricycle = std::get_if<Tricycle>(&drive)) {
@@ -39,6 +51,13 @@ bool Vehicle::steering_takes_time() const {
   if (limits.curvature_rate) return true;
   const auto* tricycle = std::get_if<Tricycle>(&drive);
   return tricycle != nullptr && tricycle->max_steering_rate.has_value();
+}
+
+std::optional<double> Vehicle::max_turning_speed() const {
+  const auto* mecanum = std::get_if<Mecanum>(&drive);
+  if (mecanum == nullptr || !mecanum->max_wheel_speed) return limits.angular_speed;
+  const double by_wheels = *mecanum->max_wheel_speed * mecanum->wheel_radius / (mecanum->half_length + mecanum->half_width);
+  return limits.angular_speed ? std::min(*limits.angular_speed, by_wheels) : by_wheels;
 }
 
 double Vehicle::steering_angle(double curvature) const {

@@ -38,6 +38,15 @@ struct Differential {
 };
 struct Mecanum {
   double wheel_radius = 0.0, half_length = 0.0, half_width = 0.0;  ///< m, > 0
+  std::optional<double> max_wheel_speed{};  ///< rad/s of any wheel, > 0
+  std::optional<double> max_torque{};       ///< N·m of a motor at its wheel, > 0
+  double wheel_inertia = 0.0;               ///< kg·m² of one wheel's spin with its motor's, ≥ 0
+  double rolling_arm = 0.0;                 ///< m: a wheel's rolling resistance is its load times this; ≥ 0
+
+  /// m/s: the greatest speed along a way on which no wheel is faster than it may; +∞ where wheels have no limit. `off` in rad: from the heading to the course, wherever it is
+  /// from `off` to `off + change`; `turning` in rad/m: dθ/ds of the heading, at most. Wheels turn by v·(±cos off ± sin off ± (half_length + half_width)·turning)/wheel_radius,
+  /// the fastest of them by the sum of the sizes, which is greatest askew, at odd eighths of a turn.
+  double max_speed(double off, double change, double turning) const;
 };
 using Drive = std::variant<Tricycle, Differential, Mecanum>;
 
@@ -78,6 +87,8 @@ struct Vehicle {
   bool steering_takes_time() const;
   /// That, or angular acceleration is limited: a vehicle that moves cannot change its curvature at once.
   bool stands_at_curvature_jumps() const { return steering_takes_time() || limits.angular_acceleration.has_value(); }
+  /// rad/s of a turn on the spot: the smaller of the limit and what the wheels' greatest speed allows; absent where neither binds.
+  std::optional<double> max_turning_speed() const;
   /// Steering angle of a tricycle at a path curvature; 0 for other drives.
   double steering_angle(double curvature) const;
 };

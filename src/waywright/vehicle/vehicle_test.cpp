@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace waywright {
@@ -59,6 +60,36 @@ TEST(Vehicle, TurningOnTheSpot) {
   EXPECT_TRUE(vehicle.can_turn_on_the_spot());
   vehicle.drive = Mecanum{0.1, 0.3, 0.3};
   EXPECT_TRUE(vehicle.can_turn_on_the_spot());
+}
+
+// No closed form needed: all wheels, all angles between.
+TEST(Vehicle, WheelsOfAMecanumBaseBoundItsSpeed) {
+  Mecanum drive{0.05, 0.3, 0.2};
+  EXPECT_TRUE(std::isinf(drive.max_speed(0.3, 0.1, 2.0)));
+  drive.max_wheel_speed = 12.0;
+  for (const double off : {-3.1, -2.2, -0.8, -0.1, 0.0, 0.7, 0.78539, 1.5, 2.4, 3.0}) {
+    for (const double change : {-1.7, -0.05, 0.0, 0.02, 0.9}) {
+      for (const double turning : {-1.5, 0.0, 0.4}) {
+        double fastest = 0.0;  // rad/s of a wheel at 1 m/s
+        constexpr int steps = 2000;
+        for (int i = 0; i <= steps; ++i) {
+          const double angle = off + change * i / steps, x = std::cos(angle), y = std::sin(angle);
+          for (const double side : {y, -y}) {
+            for (const double arm : {0.5, -0.5}) fastest = std::max(fastest, std::abs(x + side + arm * turning) / 0.05);
+          }
+        }
+        EXPECT_NEAR(drive.max_speed(off, change, turning) * fastest, 12.0, 1e-4) << off << " " << change << " " << turning;
+      }
+    }
+  }
+  Vehicle vehicle;
+  EXPECT_FALSE(vehicle.max_turning_speed());
+  vehicle.drive = drive;
+  EXPECT_NEAR(*vehicle.max_turning_speed(), 12.0 * 0.05 / 0.5, 1e-12);
+  vehicle.limits.angular_speed = 0.7;
+  EXPECT_EQ(*vehicle.max_turning_speed(), 0.7);
+  vehicle.limits.angular_speed = 5.0;
+  EXPECT_NEAR(*vehicle.max_turning_speed(), 1.2, 1e-12);
 }
 
 // The wheel's axle points at the centre of the turn, (0, 1/κ) in the body frame.

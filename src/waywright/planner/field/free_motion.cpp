@@ -40,6 +40,8 @@ FreeMotion::FreeMotion(const Problem& problem, double turn, double least) {
       acceleration_ = std::min(acceleration_, angular_acceleration_ / rate);
       deceleration_ = std::min(deceleration_, angular_acceleration_ / rate);
     }
+    // The wheels' greatest speed, whichever way it goes: slowest askew, at an eighth of a turn.
+    if (const auto* mecanum = std::get_if<Mecanum>(&vehicle.drive)) speed_ = std::min(speed_, mecanum->max_speed(0.25 * pi, 0.0, rate));
     if (limits.reverse_speed < limits.speed) speed_ = std::min(speed_, std::max(limits.reverse_speed, 0.0));  // whichever way it looks
     angular_ = angular_acceleration_ = any;  // courses are no headings
   }

@@ -11,6 +11,7 @@
 #include "waywright/planner/grid/free_goal.hpp"
 #include "waywright/planner/grid/grid_path.hpp"
 #include "waywright/planner/grid/grid_words.hpp"
+#include "waywright/planner/grid/joined_ends.hpp"
 #include "waywright/planner/grid/search_pool.hpp"
 #include "waywright/planner/grid/sight.hpp"
 #include "waywright/planner/grid/theta_search.hpp"
@@ -19,6 +20,10 @@
 namespace waywright {
 
 using grid::counted, grid::disc_sentence, grid::failure, grid::is_plain_line, grid::length_sentence, grid::not_connected, grid::nothing_found, grid::of_neighbours, grid::way_to_goal, grid::zone_sentence;
+
+namespace {
+constexpr int most_corners = 1000;  // left out where an end is joined straight: as many as are seen
+}
 
 /// What is known of one problem.
 class GridPlanner::Ready {
@@ -125,14 +130,20 @@ class GridPlanner::Ready {
                                           fmt::format("{} of {:.3f} m that keeps {:.3f} m", problem_.footprint().is_disc() ? "a disc" : "the disc around the footprint,", footprint_.disc,
                                                       problem_.required_clearance()))};
     }
-    if (options.any_angle) return plan_any_angle(options, query, answer, budget);
-    std::vector<Action> actions{{Action::Kind::drive, 0.0, frame_.centre(answer.cells.front()), 1}};
-    for (const Action& a : drives_along(frame_, answer.cells)) actions.push_back(a);
-    return explained(way_to_goal(problem_, actions), options, answer.expansions, answer.cost * frame_.cell);
+    if (options.any_angle) return plan_any_angle(options, query, answer, budget, test);
+    return explained(way_to_goal(problem_, way_over(answer.cells, test)), options, answer.expansions, answer.cost * frame_.cell);
+  }
+
+  /// Of a disc, its ends joined straight.
+  std::vector<Action> way_over(const std::vector<Cell>& cells, MotionCheck& test) const {
+    std::vector<Action> actions{{Action::Kind::drive, 0.0, frame_.centre(cells.front()), 1}};
+    for (const Action& a : drives_along(frame_, cells)) actions.push_back(a);
+    if (goal_point()) actions.push_back({Action::Kind::drive, 0.0, problem_.goal().position(), 1});
+    return with_joined_ends(problem_, frame_, actions, {.most_corners = most_corners}, test);
   }
 
   /// Lazy Theta*, and the grid's way pulled taut: the shorter of the two, so never longer than what `astar` finds.
-  PlanningResult plan_any_angle(const GridPlannerOptions& options, const GridQuery& query, const GridAnswer& on_grid, Budget& budget) const {
+  PlanningResult plan_any_angle(const GridPlannerOptions& options, const GridQuery& query, const GridAnswer& on_grid, Budget& budget, MotionCheck& test) const {
     const Pose& start = problem_.start();
     // Of a region: the cell of it that is nearest over the cells.
     const bool is_region = problem_.free_goal() != nullptr && !problem_.free_goal()->is_point();
@@ -153,7 +164,14 @@ class GridPlanner::Ready {
     const auto metres = [&](const std::vector<Vec2>& points) { return zones() != nullptr ? cost_of(points, *zones()) : length_of(points); };
     const double of_grid = metres(cells);
     const auto taut = [&](std::vector<Vec2> points) { return pulled_taut(std::move(points), sight, any.margin, any.end_margin, zones()); };
-    const std::vector<Vec2> from_theta = taut(answer.points), from_grid = taut(std::move(cells));
+    std::vector<Vec2> joined{start.position()};
+    for (const Action& a : way_over(on_grid.cells, test)) {
+      if (a.kind == Action::Kind::drive) joined.push_back(a.to);
+    }
+    // The cells' whole way, and that which astar drives: straight runs and joined ends leave fewer corners to pull at.
+    const std::vector<Vec2> of_cells = taut(std::move(cells)), of_joined = taut(std::move(joined));
+    const std::vector<Vec2> from_theta = taut(answer.points);
+    const std::vector<Vec2>& from_grid = metres(of_cells) <= metres(of_joined) ? of_cells : of_joined;
     const std::vector<Vec2>& points = metres(from_theta) <= metres(from_grid) ? from_theta : from_grid;
     std::vector<Action> actions;
     for (std::size_t i = 1; i < points.size(); ++i) actions.push_back({Action::Kind::drive, 0.0, points[i], 1});
@@ -192,7 +210,8 @@ class GridPlanner::Ready {
     std::vector<Action> actions = of(from, answer.first);
     for (const Action& a : actions_along(*headings_, answer)) actions.push_back(a);
     for (const Action& a : of(to, answer.last)) actions.push_back(a);
-    return explained(way_to_goal(problem_, actions), options, answer.expansions, answer.cost);
+    const EndsToJoin ends{.most_corners = most_corners, .turn_cost = options.costs.turn, .reverse_cost = options.costs.reverse};
+    return explained(way_to_goal(problem_, with_joined_ends(problem_, frame_, actions, ends, test)), options, answer.expansions, answer.cost);
   }
 
   Planned explained(Path path, const GridPlannerOptions& options, std::int64_t expansions, std::optional<double> cost) const {
@@ -222,6 +241,8 @@ class GridPlanner::Ready {
     return planned;
   }
 
+  /// The goal is a place, not a region.
+  bool goal_point() const { return problem_.free_goal() == nullptr || problem_.free_goal()->is_point(); }
   bool is_weighed() const { return problem_.zones_as_planned().weighs(); }
   /// nullptr where no zone directs or weighs.
   const ZoneRules* zones() const { return problem_.zones_as_planned().directs() || is_weighed() ? &problem_.zones_as_planned() : nullptr; }

@@ -12,6 +12,7 @@
 #include "waywright/planner/grid/free_goal.hpp"
 #include "waywright/planner/grid/grid_path.hpp"
 #include "waywright/planner/grid/grid_words.hpp"
+#include "waywright/planner/grid/joined_ends.hpp"
 #include "waywright/planner/grid/search_pool.hpp"
 #include "waywright/planner/grid/sight.hpp"
 #include "waywright/planner/grid/way_to_goal.hpp"
@@ -189,6 +190,12 @@ class SafePlanner::Ready {
     for (const Action& a : drives_along(frame_, cells)) actions.push_back(a);
   }
 
+  /// Without stubs to the middles of the cells at its ends; each new drive stays as near to the way that was found, whose danger is known, as the stub was long.
+  std::vector<Action> joined(std::vector<Action> actions, bool at_start, bool at_goal, MotionCheck& test) const {
+    if (at_goal) actions.push_back(drive(problem_.goal().position()));
+    return with_joined_ends(problem_, frame_, actions, {.start = at_start, .goal = at_goal, .most_corners = 1}, test);
+  }
+
   std::string danger_words(const GridAnswer& answer) const {
     return fmt::format("where a metre costs 1 + {:g}·ψ, the second rounded to 1/256{}, and ψ is the danger of occupied cells within {:.3f} m: {:.3f} m, and no way over the cells costs less by more than {:.6f} m",
                        options_.danger_weight, is_capped_ ? " and counted as 256 where it is more" : "", rule_.reach, answer.cost * frame_.cell, answer.error * frame_.cell);
@@ -201,7 +208,7 @@ class SafePlanner::Ready {
     if (answer.ended != SearchEnd::found) return tl::unexpected{not_found(answer, budget)};
     std::vector<Action> actions;
     append(answer.cells, actions);
-    return explained(actions, fmt::format("{}The least costly way over {} x {} cells of {:g} m with {}, {}; {}.", why, frame_.columns, frame_.rows, frame_.cell, of_neighbours(neighbours()),
+    return explained(joined(actions, true, problem_.free_goal() == nullptr || problem_.free_goal()->is_point(), test), fmt::format("{}The least costly way over {} x {} cells of {:g} m with {}, {}; {}.", why, frame_.columns, frame_.rows, frame_.cell, of_neighbours(neighbours()),
                                           danger_words(answer), counted(budget.expansions(), "expansion")));
   }
 
@@ -229,7 +236,7 @@ class SafePlanner::Ready {
     std::vector<Action> actions;
     append(answer.cells, actions);
     const Vec2 last = frame_.centre(boundary.last);
-    return explained(actions, fmt::format("From corner to corner of what stands between, {} the way to the goal is straight, {:.3f} m from {}, its middle {:.3f} m or more from everything. Up to there the least costly way over "
+    return explained(joined(actions, true, false, test), fmt::format("From corner to corner of what stands between, {} the way to the goal is straight, {:.3f} m from {}, its middle {:.3f} m or more from everything. Up to there the least costly way over "
                                           "{} x {} cells of {:g} m with 16 neighbours, {}; {}.",
                                           boundary.corners.empty() ? std::string{"none of which is needed,"} : fmt::format("{} in all,", counted(static_cast<std::int64_t>(boundary.corners.size()), "boundary point")),
                                           distance(last, goal), place(last), margin + disc_.disc, frame_.columns, frame_.rows, frame_.cell, danger_words(answer), counted(budget.expansions(), "expansion")));
@@ -267,7 +274,9 @@ class SafePlanner::Ready {
     }
     std::vector<Action> actions;
     for (const std::vector<Cell>& cells : found) append(cells, actions);
-    return explained(actions, detours.empty() ? std::string{"Nothing stands on the straight line from start to goal: the way is straight, without a search."}
+    // Straight parts have no stubs.
+    const bool at_start = !detours.empty() && detours.front().begin <= 0.0, at_goal = !detours.empty() && detours.back().end >= whole;
+    return explained(joined(actions, at_start, at_goal, test), detours.empty() ? std::string{"Nothing stands on the straight line from start to goal: the way is straight, without a search."}
                                               : fmt::format("The straight line from start to goal, with {} over {} x {} cells of {:g} m, each from {:g} m or more before an obstacle to {:g} m or more behind it{}; {}.",
                                                             searches(detours.size()), frame_.columns, frame_.rows, frame_.cell,
                                                             options_.local_radius, options_.local_radius, is_wider ? ", longer where such a stretch led nowhere" : "", counted(budget.expansions(), "expansion")));
