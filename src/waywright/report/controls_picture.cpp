@@ -110,7 +110,6 @@ std::string controls_svg(const Vehicle& vehicle, const std::string& title, std::
   const auto both_ways = [](double limit) { return std::vector<ChartLimit>{{limit, "limit"}, {-limit, "limit"}}; };
   Page page;
   Chart speed = chart(is_sideways ? "Speed forward v_x in m/s" : "Speed v in m/s, forward positive", [](const ControlRow& row) { return row.twist.forward; });
-  speed.names_bands = is_sideways;
   const bool goes_back = std::any_of(rows.begin(), rows.end(), [](const ControlRow& row) { return row.twist.forward < 0.0; });
   speed.limits = {{limits.speed, goes_back ? "limit forw." : "limit"}};
   if (goes_back) speed.limits.push_back({-limits.reverse_speed, "limit backw."});
@@ -157,7 +156,7 @@ std::string controls_svg(const Vehicle& vehicle, const std::string& title, std::
       "<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/><text class=\"title\" x=\"58\" y=\"18\">{3}</text>"
       "<text class=\"small\" x=\"58\" y=\"34\">{5}</text>\n{4}</svg>\n",
       fixed(width), fixed(page.below()), picture_styles(), escaped(title), page.body(),
-      is_sideways ? "ground: where the base mainly goes as it faces: blue forward, orange back, green to the left or right; none: it stands or turns on the spot"
+      is_sideways ? "ground, by where the base mainly goes: blue forward, orange back, green sideways, none: it stands or turns on the spot"
                   : "orange ground: backwards, blue ground: forwards, none: the vehicle stands or turns on the spot");
 }
 

@@ -79,7 +79,7 @@ bool Labels::beside(const Wish& wish, const Size& size, Place& place) const {
         box.high.x += shift;
       }
       if (!is_free(box)) continue;
-      const double hides = cost + room_.hidden_by(box);
+      const double hides = cost + wish.heed * room_.hidden_by(box);
       if (hides >= least) continue;
       least = hides;
       place = {box.low.x + seam, box.low.y + seam + size.above, Place::Anchor::begin, box, off > 0.0};

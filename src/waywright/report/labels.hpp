@@ -17,7 +17,7 @@ struct Label {
 };
 
 /// What is looked for first comes first: it has the better place.
-enum class LabelRank { end, spot, number, thing, turn, other, zone, tick };
+enum class LabelRank { end, tightest, spot, number, thing, turn, other, zone, tick };
 
 class Labels {
  public:
@@ -38,6 +38,7 @@ class Labels {
     Vec2 away{0.0, 1.0};             ///< px, y down: on which side, if that is free
     double gap = 12.0;               ///< px from the point
     double farthest = anywhere;      ///< px farther than the gap that it may stand, with a line to the point; under 0: not beside it
+    double heed = 1.0;               ///< what a line that it stands on weighs: under 1 nearness to the point matters more
   };
   void add(Wish wish) { wishes_.push_back(std::move(wish)); }
 

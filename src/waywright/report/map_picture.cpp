@@ -71,7 +71,7 @@ void draw_placed(SvgWriter& svg, const Map& map) {
 
 /// Lanes, places and stations.
 void draw_lanes(SvgWriter& svg, Labels& labels, const LaneGraph& graph) {
-  constexpr double shortest_arrow = 18.0, gap = 6.0;  // px
+  constexpr double shortest_arrow = 18.0, gap = 7.0, half = 5.0;  // px
   for (const Lane& lane : graph.lanes) {
     svg.polyline(lane.course, "placedline");
     labels.keep_off(lane.course, false);
@@ -84,11 +84,14 @@ void draw_lanes(SvgWriter& svg, Labels& labels, const LaneGraph& graph) {
   }
   for (const LanePlace& place : graph.places) {
     svg.dot(place.at, 3.0, "fwdmark");
+    for (const Vec2 off : {Vec2{0, 0}, Vec2{3, 0}, Vec2{-3, 0}, Vec2{0, 3}, Vec2{0, -3}}) labels.room().take(svg.view()(place.at) + off);
     labels.add({{place.name, "note"}, LabelRank::thing, {}, 0.0, place.at, {1.0, -1.0}, gap, 0.0});
   }
   for (const LaneStation& station : graph.stations) {
     svg.square(station.at, 9.0, "placed");
-    labels.add({{station.name, "note"}, LabelRank::spot, {}, 0.0, station.at, {1.0, -1.0}, gap, 0.0});
+    const Vec2 at = svg.view()(station.at), reach{half, half};
+    labels.room().take(Box{at - reach, at + reach});
+    labels.add({{station.name, "note"}, LabelRank::spot, {}, 0.0, station.at, {1.0, -1.0}, gap + half, 0.0});
   }
 }
 

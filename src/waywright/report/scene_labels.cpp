@@ -14,7 +14,10 @@ Labels labels_for(const Canvas& canvas) {
   return {canvas.view, {{left_gutter + edge, edge}, {canvas.width - edge, canvas.height - bottom_gutter - edge}}};
 }
 
-void name_end(Labels& labels, Vec2 point, const std::string& name) { labels.add({{name, "name"}, LabelRank::end, {}, 0.0, point, {1.0, -1.0}, 7.0}); }
+void name_end(Labels& labels, Vec2 point, const std::string& name) { 
+  constexpr double heed = 0.25;  // a letter on an outline is found sooner than one away from it
+  labels.add({{name, "name"}, LabelRank::end, {}, 0.0, point, {1.0, -1.0}, 7.0, Labels::anywhere, heed});
+}
 
 Vec2 point_on(const Footprint& footprint, const Pose& pose, Vec2 obstacle) {
   if (!footprint.is_disc()) return nearest_in(outline_at(footprint, pose), obstacle);
@@ -34,7 +37,7 @@ void draw_tightest_spot(SvgWriter& svg, Labels& labels, const Footprint& footpri
   const Vec2 away{c.tightest_point.x - on.x, on.y - c.tightest_point.y - 1e-3 * from_middle.y};
   const bool second_line = c.collision_free && has_pose_error;
   const std::string measure = c.collision_free && !second_line ? fmt::format("{:.1f} mm{}", 1000.0 * c.clearance, is_proven ? " proven" : "") : gap > 0.0 ? fmt::format("{:.1f} mm", 1000.0 * gap) : "touches";
-  labels.add({{measure, "tighttext", second_line ? fmt::format("{:.1f} with pose error", 1000.0 * c.clearance) : ""}, LabelRank::spot, {}, 0.0, c.tightest_point, away, 14.0});
+  labels.add({{measure, "tighttext", second_line ? fmt::format("{:.1f} with pose error", 1000.0 * c.clearance) : ""}, LabelRank::tightest, {}, 0.0, c.tightest_point, away, 14.0});
 }
 
 }  // namespace waywright

@@ -63,7 +63,8 @@ Box region_of(const Map& map, const std::vector<Vec2>& seen, const std::vector<P
   Box box = bounding_box(seen);
   if (const std::vector<Vec2> all = extent_of(map, lanes); !all.empty()) {
     const Box whole = bounding_box(all);
-    if (norm(whole.high - whole.low) < 3.0 * norm(box.high - box.low)) {
+    const double larger = lanes.empty() ? 3.0 : 4.0;  // where lanes lead says more than what is beside the way
+    if (norm(whole.high - whole.low) < larger * norm(box.high - box.low)) {
       const std::vector<Vec2> points{box.low, box.high, whole.low, whole.high};
       box = bounding_box(points);
     }
@@ -158,6 +159,8 @@ bool name_obstacles(Labels& labels, const View& view, const Map& map, const Box&
     labels.add(std::move(wish));
     any = true;
   };
+  for (const Ring& ring : map.obstacles) labels.keep_off(ring, true);
+  for (const Polyline& line : map.lines) labels.keep_off(line, false);
   for (std::size_t i = 0; i < map.obstacles.size(); ++i) {
     const Ring part = map.obstacles[i].empty() ? Ring{} : seen_part(map.obstacles[i], region);
     if (part.empty()) continue;

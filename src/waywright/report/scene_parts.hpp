@@ -35,7 +35,7 @@ Ring outline_at(const Footprint& footprint, const Pose& pose);
 void open_map(SvgWriter& svg, const Canvas& canvas);
 /// Map and station.
 void draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region);
-/// Obstacles and lines get the numbers by which sentences name them, those within the region and not too many; the one that `tightest` names ("obstacle 4") first. Returns
+/// Obstacles and lines, off which texts keep, get the numbers by which sentences name them, those within the region and not too many; the one that `tightest` names ("obstacle 4") first. Returns
 /// whether there are any.
 bool name_obstacles(Labels& labels, const View& view, const Map& map, const Box& region, const std::string& tightest = {});
 void draw_station(SvgWriter& svg, const Station& station);

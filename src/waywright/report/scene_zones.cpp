@@ -54,16 +54,20 @@ void draw_arrows(SvgWriter& svg, const Zone& zone) {
   if (!is_any) draw_at(middle, fits(middle) ? length : 0.6 * length);
 }
 
-std::string label_of(const Zone& zone) {
-  std::string value;
+/// What its type limits: "× 0.5", "0.4 m/s".
+std::string value_of(const Zone& zone) {
   switch (zone.type) {
     case ZoneType::forbidden:
-    case ZoneType::directed: break;
+    case ZoneType::directed: return {};
     case ZoneType::preferred:
-    case ZoneType::penalty: value = fmt::format("× {:g}", zone.factor); break;
-    case ZoneType::speed_limit: value = fmt::format("{:g} m/s", zone.speed); break;
+    case ZoneType::penalty: return fmt::format("× {:g}", zone.factor);
+    case ZoneType::speed_limit: return fmt::format("{:g} m/s", zone.speed);
   }
-  const std::string name = one_line(zone.name);
+  return {};
+}
+
+std::string label_of(const Zone& zone) {
+  const std::string name = one_line(zone.name), value = value_of(zone);
   return name.empty() || value.empty() ? name + value : name + ", " + value;
 }
 
@@ -85,11 +89,12 @@ void name_zones(Labels& labels, const View& view, const std::vector<Zone>& zones
   const bool are_many = std::count_if(zones.begin(), zones.end(), [](const Zone& z) { return z.type == ZoneType::directed; }) > static_cast<std::ptrdiff_t>(few);
   for (const Zone& zone : zones) {
     const bool is_directed = zone.type == ZoneType::directed;
-    const std::string text = label_of(zone);
+    std::string text = label_of(zone);
     const Box box = bounding_box(zone.area);
-    if (is_directed && are_many) {
-      const Vec2 size = view.scale * (box.high - box.low);
-      if (text_width(text, 12.0, false) > size.x + 2.0 || size.y < 12.0) continue;
+    const Vec2 size = view.scale * (box.high - box.low);
+    if (are_many && (text_width(text, 12.0, false) > size.x + 2.0 || size.y < 12.0)) {
+      text = value_of(zone);  // among many a long name would hide those beside it
+      if (text.empty()) continue;
     }
     // Along the upper edge, else along the lower one, where fewer paths pass than through the middle.
     const double x = 0.5 * (std::max(box.low.x, region.low.x) + std::min(box.high.x, region.high.x)), off = 12.0 / view.scale;
