@@ -42,7 +42,7 @@ std::vector<Text> texts(const std::string& svg) {
   return found;
 }
 
-bool meet(const Box& a, const Box& b) { return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y; }
+bool boxes_meet(const Box& a, const Box& b) { return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y; }
 
 /// Of an attribute of the picture itself.
 double number_after(const std::string& svg, const std::string& words) { return std::stod(svg.substr(svg.find(words) + words.size())); }
@@ -53,7 +53,7 @@ void expect_legible(const std::string& svg, const std::string& what) {
   const double wide = number_after(svg, " width=\""), high = number_after(svg, " height=\"");
   for (std::size_t i = 0; i < all.size(); ++i) {
     EXPECT_TRUE(all[i].box.low.x >= -0.5 && all[i].box.low.y >= -0.5 && all[i].box.high.x <= wide + 0.5 && all[i].box.high.y <= high + 0.5) << what << ": \"" << all[i].text << "\" is cut off";
-    for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(meet(all[i].box, all[k].box)) << what << ": \"" << all[i].text << "\" on \"" << all[k].text << "\"";
+    for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(boxes_meet(all[i].box, all[k].box)) << what << ": \"" << all[i].text << "\" on \"" << all[k].text << "\"";
   }
 }
 
@@ -133,7 +133,7 @@ TEST(PictureLabels, AreApartWhateverIsAskedFor) {
       const Vec2 at{random.uniform(-5.0, 65.0), random.uniform(-5.0, 65.0)};
       Labels::Wish wish{{fmt::format("name {}", i), i % 3 == 0 ? "name" : "note", i % 5 == 0 ? "and a second line" : ""}, rank, {}, 0.0, at, {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)}};
       if (i % 4 == 0) wish.middles = {at};
-      if (i % 7 == 0) wish.farthest = 0.0;
+      if (i % 7 == 3) wish.farthest = 0.0;
       labels.add(wish);
     }
     SvgWriter svg{view};
@@ -144,7 +144,7 @@ TEST(PictureLabels, AreApartWhateverIsAskedFor) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       names += all[i].text.rfind("name ", 0) == 0 ? 1 : 0;
       EXPECT_TRUE(all[i].box.low.x >= 20 && all[i].box.low.y >= 10 && all[i].box.high.x <= 580 && all[i].box.high.y <= 590) << all[i].text;
-      for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(meet(all[i].box, all[k].box)) << all[i].text << " on " << all[k].text;
+      for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(boxes_meet(all[i].box, all[k].box)) << all[i].text << " on " << all[k].text;
     }
     EXPECT_EQ(names + left_out, many);
     EXPECT_EQ(all.front().text, "name 0");

@@ -36,8 +36,9 @@ void draw_tightest_spot(SvgWriter& svg, Labels& labels, const Footprint& footpri
   const Vec2 from_middle = on - 0.5 * (body.low + body.high);
   const Vec2 away{c.tightest_point.x - on.x, on.y - c.tightest_point.y - 1e-3 * from_middle.y};
   const bool second_line = c.collision_free && has_pose_error;
+  constexpr double heed = 0.4;  // it may cross an outline, rather than be far off
   const std::string measure = c.collision_free && !second_line ? fmt::format("{:.1f} mm{}", 1000.0 * c.clearance, is_proven ? " proven" : "") : gap > 0.0 ? fmt::format("{:.1f} mm", 1000.0 * gap) : "touches";
-  labels.add({{measure, "tighttext", second_line ? fmt::format("{:.1f} with pose error", 1000.0 * c.clearance) : ""}, LabelRank::tightest, {}, 0.0, c.tightest_point, away, 14.0});
+  labels.add({{measure, "tighttext", second_line ? fmt::format("{:.1f} with pose error", 1000.0 * c.clearance) : ""}, LabelRank::tightest, {}, 0.0, c.tightest_point, away, 14.0, Labels::anywhere, heed});
 }
 
 }  // namespace waywright

@@ -39,7 +39,7 @@ double text_width(std::string_view text, double font_size, bool is_bold) {
 
 TextStyle text_style(std::string_view style_class) {
   if (has_word(style_class, "tighttext")) return has_word(style_class, "note") ? TextStyle{12.0, true} : TextStyle{15.0, true};
-  if (has_word(style_class, "name")) return {15.0, true};
+  if (has_word(style_class, "name")) return {has_word(style_class, "note") ? 12.0 : 15.0, true};
   if (has_word(style_class, "meetingtext")) return {12.0, true};
   if (has_word(style_class, "number")) return {11.0, true};
   if (has_word(style_class, "badgetext")) return {12.0, true};
