@@ -35,7 +35,7 @@ std::vector<Text> texts(const std::string& svg) {
     }
     const TextStyle font = text_style(style);
     const double wide = text_width(written, font.size, font.is_bold), y = std::stod((*i)[3]) + ((*i)[4].str().find("dy=") != std::string::npos ? 1.2 * font.size : 0.0);
-    const bool at_end = style.ends_with(" end"), in_middle = style.ends_with(" middle") || style == "badgetext";
+    const bool at_end = style.ends_with(" end"), in_middle = style.ends_with(" middle") || font.is_centred;
     const double x = std::stod((*i)[2]) - (at_end ? wide : in_middle ? 0.5 * wide : 0.0);
     found.push_back({written, style, {{x, y - 0.74 * font.size}, {x + wide, y + 0.2 * font.size}}});
   }

@@ -111,6 +111,10 @@ std::size_t Labels::write(SvgWriter& svg) {
       leaders += fmt::format("<line class=\"leader\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n", fixed(at.x), fixed(at.y), fixed(end.x), fixed(end.y));
       room_.take_line({at, end});
     }
+    if (text_style(wish.label.style_class).is_centred) {
+      place.x = 0.5 * (place.box.low.x + place.box.high.x);
+      place.anchor = Place::Anchor::begin;
+    }
     const std::string style = wish.label.style_class + (place.anchor == Place::Anchor::end ? " end" : place.anchor == Place::Anchor::middle ? " middle" : "");
     texts += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", style, fixed(place.x), fixed(place.y), escaped(wish.label.text));
     if (!wish.label.below.empty()) {

@@ -41,8 +41,8 @@ TextStyle text_style(std::string_view style_class) {
   if (has_word(style_class, "tighttext")) return has_word(style_class, "note") ? TextStyle{12.0, true} : TextStyle{15.0, true};
   if (has_word(style_class, "name")) return {has_word(style_class, "note") ? 12.0 : 15.0, true};
   if (has_word(style_class, "meetingtext")) return {12.0, true};
-  if (has_word(style_class, "number")) return {11.0, true};
-  if (has_word(style_class, "badgetext")) return {12.0, true};
+  if (has_word(style_class, "number")) return {11.0, true, true};
+  if (has_word(style_class, "badgetext")) return {12.0, true, true};
   if (has_word(style_class, "title")) return {13.0, true};
   if (has_word(style_class, "key")) return {14.0, false};
   return {12.0, false};
