@@ -151,6 +151,16 @@ TEST(PictureLabels, AreApartWhateverIsAskedFor) {
   }
 }
 
+// Against the advance widths in the font's own table, of 2048 units an em.
+TEST(PictureLabels, AreAsWideAsTheirLetters) {
+  EXPECT_NEAR(text_width("AVm 0", 2048.0, false), 1401 + 1401 + 1995 + 651 + 1303, 8.0);
+  EXPECT_NEAR(text_width("AVm 0", 2048.0, true), 1585 + 1585 + 2134 + 713 + 1425, 8.0);
+  EXPECT_GT(text_width("é", 12.0, false), text_width("e", 12.0, false));
+  EXPECT_NEAR(text_width("ééé", 12.0, false), 3.0 * text_width("é", 12.0, false), 1e-12);
+  EXPECT_EQ(text_style("tighttext note end").size, 12.0);
+  EXPECT_TRUE(text_style("name middle").is_bold);
+}
+
 TEST(PictureLabels, OfConcaveObstaclesLieInside) {
   Scenario s;
   s.map.boundaries = {rectangle({0, 0}, {20, 12})};

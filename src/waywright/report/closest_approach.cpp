@@ -10,7 +10,7 @@ namespace waywright {
 namespace {
 
 constexpr double finest = 0.01;   // s
-constexpr double most = 20'000.0;  // times
+constexpr double most = 100'000.0;  // times, of all movers
 
 /// m/s that no point of the footprint is faster than between any two samples.
 double fastest_of(const std::vector<Sample>& samples, double radius) {
@@ -57,7 +57,7 @@ std::vector<ClosestApproach> closest_approaches(const Problem& problem, const st
   std::vector<ClosestApproach> all;
   if (samples.empty() || moving.empty()) return all;
   const MovingClearance clearance{problem, 0.0, 0.0};
-  const double end = samples.back().t, step = std::max(finest, end / most), own = fastest_of(samples, problem.footprint().radius());
+  const double end = samples.back().t, step = std::max(finest, end * static_cast<double>(moving.size()) / most), own = fastest_of(samples, problem.footprint().radius());
   for (std::size_t i = 0; i < moving.size(); ++i) {
     const double speed = own + MovingPlaces{moving[i]}.fastest();
     ClosestApproach closest{i, 0.0, closest_cap, {}, {}, {}, {}};

@@ -18,7 +18,7 @@ struct ClosestApproach {
 
 inline constexpr double closest_cap = 100.0;  ///< m
 
-/// One of each moving obstacle, nearest first. Times are looked at a hundredth of a second apart (a 20 000th of the plan's time, where that is more), fewer where none can be nearer:
+/// One of each moving obstacle, nearest first. Times are looked at a hundredth of a second apart (more, where 100 000 for all obstacles would not do), fewer where none can be nearer:
 /// distances are least but for what both move in that.
 std::vector<ClosestApproach> closest_approaches(const Problem& problem, const std::vector<Sample>& samples);
 
