@@ -93,7 +93,18 @@ TEST_F(Controls, TorquesOfMecanumWheelsAndPlansThatAreDrivenSlowerForThem) {
   const double torque = free["motors"]["greatest_torque"].get<double>(), speed = free["motors"]["greatest_wheel_speed"].get<double>();
   EXPECT_GT(torque, 0.1);
   EXPECT_NE(slurp(folder_ / "c/controls.csv").find(",torque_front_left,torque_front_right,torque_rear_left,torque_rear_right,x,"), std::string::npos);
-  EXPECT_NE(slurp(folder_ / "c/controls.svg").find("Torques of the motors at the wheels"), std::string::npos);
+  const std::string picture = slurp(folder_ / "c/controls.svg");
+  EXPECT_NE(picture.find("Torques of the motors at the wheels"), std::string::npos);
+  // Forward, sideways and turning apart, the ground told by where it mainly goes; each wheel has a chart of its own for its speed, and one for its torque.
+  const auto charts = [&](const std::string& title) {
+    std::size_t n = 0;
+    for (std::size_t at = picture.find("<title>" + title + "</title>"); at != std::string::npos; at = picture.find("<title>" + title + "</title>", at + 1)) ++n;
+    return n;
+  };
+  for (const char* title : {"Speed forward v_x in m/s", "Speed sideways v_y in m/s, left positive", "Turning rate ω in rad/s, left positive"}) EXPECT_EQ(charts(title), 1u) << title;
+  for (const char* wheel : {"front left", "front right", "rear left", "rear right"}) EXPECT_EQ(charts(wheel), 2u) << wheel;
+  EXPECT_NE(picture.find("<rect class=\"bandside\""), std::string::npos);
+  EXPECT_NE(picture.find("<rect class=\"bandfwd\""), std::string::npos);
   const Outcome o = run("controls " + plan + " -o c --set rolling_arm=0.001 --set wheel_inertia=0.0002 --set max_torque=" + std::to_string(0.7 * torque) + " --set max_wheel_speed=" + std::to_string(0.9 * speed));
   EXPECT_EQ(o.status, 0) << o.out << o.err;
   EXPECT_NE(o.out.find("slowed"), std::string::npos) << o.out;

@@ -1,7 +1,9 @@
 // Lanes from the files on: a plant model becomes a scenario whose plan keeps to them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <sstream>
 
 #include "tests/command_line.hpp"
 
@@ -21,6 +23,33 @@ const std::string plant = R"(<model version="7.0.0" name="ring">
   <vehicle name="cart" maxVelocity="1200"><boundingBox length="800" width="600"/></vehicle>
 </model>)";
 
+// A ring of many places: every one is told, in lines that a terminal holds.
+TEST_F(CommandLine, ManyPlacesAreToldInColumns) {
+  constexpr int many = 83;
+  std::string points, paths;
+  const auto name = [](int i) { return (i % 10 == 3 ? "Übergabe im Süden " : "P") + std::to_string(i); };
+  for (int i = 0; i < many; ++i) {
+    points += "<point name=\"" + name(i) + "\" positionX=\"" + std::to_string(3000 * (i % 9)) + "\" positionY=\"" + std::to_string(3000 * (i / 9)) + "\" vehicleOrientationAngle=\"NaN\"/>";
+    if (i > 0) paths += "<path name=\"" + std::to_string(i) + "\" sourcePoint=\"" + name(i - 1) + "\" destinationPoint=\"" + name(i) + "\" maxVelocity=\"1000\"/>";
+  }
+  std::ofstream{folder_ / "many.xml"} << "<model version=\"7.0.0\" name=\"many\">" << points << paths << "</model>";
+  const auto told = run("map many.xml");
+  ASSERT_EQ(told.status, 0) << told.err;
+  std::istringstream lines{told.out.substr(told.out.find("  places:"))};
+  std::size_t in_lines = 0;
+  for (std::string line; std::getline(lines, line) && line.rfind("  note:", 0) != 0; ++in_lines) {
+    EXPECT_LE(std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; }), 100) << line;
+  }
+  EXPECT_GE(in_lines, 30u);
+  EXPECT_LE(in_lines, 50u);
+  for (int i = 0; i < many; ++i) {
+    const std::string place = ' ' + name(i) + " (";
+    const std::size_t at = told.out.find(place);
+    ASSERT_NE(at, std::string::npos) << place;
+    EXPECT_EQ(told.out.find(place, at + 1), std::string::npos) << place;
+  }
+}
+
 TEST_F(CommandLine, APlantModelBecomesAScenarioAlongItsLanes) {
   std::ofstream{folder_ / "ring.xml"} << plant;
   const auto made = run("map ring.xml --corridor 1.6 --scenario s.json --from D --to dock --picture p.svg");
@@ -32,6 +61,7 @@ TEST_F(CommandLine, APlantModelBecomesAScenarioAlongItsLanes) {
   EXPECT_NE(slurp(folder_ / "p.svg").find("one way"), std::string::npos);
   const Json scenario = Json::parse(slurp(folder_ / "s.json"));
   EXPECT_EQ(scenario["meta"]["lanes"]["route"], Json::parse(R"(["D", "A", "B", "C"])"));
+  EXPECT_EQ(scenario["meta"]["lanes"]["one_way"], Json::parse("[true, true, true, true]"));
   EXPECT_EQ(scenario["map"]["source"]["corridor"], 1.6);
   int directed = 0, slow = 0;
   for (const auto& zone : scenario["zones"]) {

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
 #include "waywright/geometry/polygon.hpp"
+#include "waywright/io/lane_courses.hpp"
 
 namespace waywright::app {
 namespace {
@@ -22,24 +22,12 @@ struct Lanes {
   std::vector<std::pair<Vec2, Vec2>> stretches;
 };
 
-/// What `meta` holds is anybody's: whatever is no lane is left out.
 std::optional<Lanes> lanes_of(const std::string& meta) {
-  using Json = nlohmann::json;
-  const Json all = Json::parse(meta, nullptr, false);
-  if (!all.is_object() || !all.contains("lanes") || !all["lanes"].is_object()) return std::nullopt;
-  const Json& told = all["lanes"];
-  if (!told.contains("width") || !told["width"].is_number() || !told.contains("courses") || !told["courses"].is_array()) return std::nullopt;
+  const LaneCourses told = lane_courses_of(meta);
   Lanes lanes;
-  lanes.half = 0.5 * told["width"].get<double>();
-  const auto point = [](const Json& j) -> std::optional<Vec2> {
-    if (!j.is_array() || j.size() != 2 || !j[0].is_number() || !j[1].is_number()) return std::nullopt;
-    return Vec2{j[0].get<double>(), j[1].get<double>()};
-  };
-  for (const Json& course : told["courses"]) {
-    for (std::size_t i = 0; course.is_array() && i + 1 < course.size(); ++i) {
-      const auto a = point(course[i]), b = point(course[i + 1]);
-      if (a && b) lanes.stretches.emplace_back(*a, *b);
-    }
+  lanes.half = 0.5 * told.width;
+  for (const Polyline& course : told.courses) {
+    for (std::size_t i = 0; i + 1 < course.size(); ++i) lanes.stretches.emplace_back(course[i], course[i + 1]);
   }
   if (!(lanes.half > 0.0) || lanes.stretches.empty()) return std::nullopt;
   return lanes;

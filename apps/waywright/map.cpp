@@ -16,24 +16,54 @@
 namespace waywright::app {
 namespace {
 
+/// Letters of UTF-8 text.
+std::size_t letters_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+/// After a title, parted by commas: in one line where they have room in it, else in columns of equal width.
+std::string in_columns(const std::string& title, std::vector<std::string> entries) {
+  constexpr std::size_t most = 100;  // letters a line
+  std::size_t widest = 0, all = title.size();
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (i + 1 < entries.size()) entries[i] += ',';
+    widest = std::max(widest, letters_of(entries[i]));
+    all += 1 + letters_of(entries[i]);
+  }
+  const std::string indent(4, ' ');
+  const std::size_t columns = all <= most ? std::max<std::size_t>(entries.size(), 1) : std::max<std::size_t>(1, (most - indent.size() + 1) / (widest + 1));
+  std::string text = title;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (all <= most) {
+      text += ' ' + entries[i];
+      continue;
+    }
+    text += i % columns == 0 ? '\n' + indent : std::string(1 + widest - letters_of(entries[i - 1]), ' ');
+    text += entries[i];
+  }
+  return text + '\n';
+}
+
 /// Every place that missions can begin and end at, and the stations beside them.
 std::string describe_places(const LaneGraph& graph) {
   constexpr std::size_t most = 2000;
   if (graph.empty()) return "";
-  std::string text = "  places:";
+  const auto told = [](auto count_of_all, std::vector<std::string> entries) {
+    if (count_of_all > entries.size()) entries.push_back(fmt::format("and {} more", count_of_all - entries.size()));
+    return entries;
+  };
+  std::vector<std::string> places, stations;
   for (std::size_t i = 0; i < std::min(graph.places.size(), most); ++i) {
     const LanePlace& place = graph.places[i];
-    text += fmt::format("{}{} ({:.3f}, {:.3f}{})", i == 0 ? " " : ", ", place.name, place.at.x, place.at.y, place.heading ? fmt::format(", {:.4f} rad", *place.heading) : "");
+    places.push_back(fmt::format("{} ({:.3f}, {:.3f}{})", place.name, place.at.x, place.at.y, place.heading ? fmt::format(", {:.4f} rad", *place.heading) : ""));
   }
-  if (graph.places.size() > most) text += fmt::format(" and {} more", graph.places.size() - most);
-  text += "\n";
   for (std::size_t i = 0; i < std::min(graph.stations.size(), most); ++i) {
     const LaneStation& station = graph.stations[i];
-    text += fmt::format("{}{} ({:.3f}, {:.3f}", i == 0 ? "  stations: " : ", ", station.name, station.at.x, station.at.y);
+    std::string text = fmt::format("{} ({:.3f}, {:.3f}", station.name, station.at.x, station.at.y);
     for (std::size_t k = 0; k < station.places.size(); ++k) text += (k == 0 ? "; at " : " or ") + graph.places[station.places[k]].name;
-    text += ")";
+    stations.push_back(text + ")");
   }
-  return text + (graph.stations.empty() ? "" : "\n");
+  return in_columns("  places:", told(graph.places.size(), places)) + (stations.empty() ? "" : in_columns("  stations:", told(graph.stations.size(), stations)));
 }
 
 std::string describe(const std::filesystem::path& file, const Map& map, const LaneGraph& lanes) {

@@ -160,12 +160,13 @@ Parsed<Scenario> scenario_along_lanes(const std::filesystem::path& file, const L
   } else {
     doubts.push_back(fmt::format("no lanes lead from {} to {}", from, to));
   }
-  // For what a plan says of them: to a tenth of a millimetre.
+  // For what a plan says of them and its picture shows: to a tenth of a millimetre.
   const auto rounded = [](double metres) { return std::round(1e4 * metres) / 1e4; };
   for (const Lane& lane : graph.lanes) {
     Json course = Json::array();
     for (const Vec2 p : lane.course) course.push_back(Json::array({rounded(p.x), rounded(p.y)}));
     about["courses"].push_back(std::move(course));
+    about["one_way"].push_back(!lane.is_both_ways);
   }
   scenario.meta = Json{{"lanes", about}}.dump(-1, ' ', false, Json::error_handler_t::replace);
   scenario.name = fmt::format("{} to {}", from, to);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <set>
 
 #include "waywright/core/version.hpp"
 #include "waywright/judge/legs.hpp"
@@ -109,23 +111,66 @@ void append_path(Plan& all, Plan leg) {
   }
 }
 
-void append_words(Plan& all, const Plan& leg, std::size_t index, bool is_shown) {
-  all.explanation.insert(all.explanation.end(), leg.explanation.begin(), leg.explanation.end());
+/// "leg 3", "legs 3 and 5", "legs 3 to 5", "legs 1, 3 to 5 and 8"; counted from 1. @pre not empty, ascending
+std::string words_of_legs(const std::vector<std::size_t>& legs) {
+  if (legs.size() == 1) return fmt::format("leg {}", legs.front());
+  std::vector<std::string> runs;
+  for (std::size_t first = 0; first < legs.size();) {
+    std::size_t last = first;
+    while (last + 1 < legs.size() && legs[last + 1] == legs[last] + 1) ++last;
+    if (last >= first + 2) runs.push_back(fmt::format("{} to {}", legs[first], legs[last]));
+    else for (std::size_t i = first; i <= last; ++i) runs.push_back(fmt::format("{}", legs[i]));
+    first = last + 1;
+  }
+  std::string text = "legs ";
+  for (std::size_t i = 0; i < runs.size(); ++i) text += fmt::format("{}{}", i == 0 ? "" : i + 1 == runs.size() ? " and " : ", ", runs[i]);
+  return text;
+}
+
+/// Sentences that several legs have, word for word, with the legs (counted from 1); in the order of their coming.
+class SharedSentences {
+ public:
+  explicit SharedSentences(const std::vector<JudgedLeg>& legs) : legs_{legs.size()} {
+    std::map<std::string, std::size_t> known;
+    for (const JudgedLeg& leg : legs) {
+      for (const std::string& sentence : leg.plan.explanation) {
+        const auto [there, is_new] = known.emplace(sentence, told_.size());
+        if (is_new) told_.push_back({sentence, {}});
+        std::vector<std::size_t>& numbers = told_[there->second].legs;
+        if (numbers.empty() || numbers.back() != leg.begin.index + 1) numbers.push_back(leg.begin.index + 1);
+      }
+    }
+    std::erase_if(told_, [](const Told& t) { return t.legs.size() < 2; });
+    for (const Told& t : told_) shared_.insert(t.sentence);
+  }
+  bool has(const std::string& sentence) const { return shared_.contains(sentence); }
+  std::vector<std::string> sentences() const {
+    std::vector<std::string> all;
+    for (const Told& t : told_) {
+      const std::string which = t.legs.size() == legs_ ? (legs_ == 2 ? "On both legs: " : "On all legs: ") : fmt::format("On {}: ", words_of_legs(t.legs));
+      all.push_back(which + t.sentence);
+    }
+    return all;
+  }
+
+ private:
+  struct Told {
+    std::string sentence;
+    std::vector<std::size_t> legs;
+  };
+  std::size_t legs_;
+  std::vector<Told> told_;
+  std::set<std::string> shared_;
+};
+
+void append_words(Plan& all, const Plan& leg, std::size_t index, bool is_shown, const SharedSentences& shared) {
+  std::copy_if(leg.explanation.begin(), leg.explanation.end(), std::back_inserter(all.explanation), [&](const std::string& sentence) { return !shared.has(sentence); });
   for (Alternative a : leg.alternatives) {
     a.name = fmt::format("leg {}: {}", index + 1, a.name);
     a.zone.clear();
     if (!is_shown) a.poses.clear();
     all.alternatives.push_back(std::move(a));
   }
-}
-
-/// "leg 3", "legs 3 and 5", "legs 3 to 5"; counted from 1. @pre not empty, ascending
-std::string words_of_legs(const std::vector<std::size_t>& legs) {
-  if (legs.size() == 1) return fmt::format("leg {}", legs.front());
-  if (legs.back() - legs.front() + 1 == legs.size() && legs.size() > 2) return fmt::format("legs {} to {}", legs.front(), legs.back());
-  std::string text = "legs ";
-  for (std::size_t i = 0; i < legs.size(); ++i) text += fmt::format("{}{}", i == 0 ? "" : i + 1 == legs.size() ? " and " : ", ", legs[i]);
-  return text;
 }
 
 /// Of each load that was set down on the way: on which legs it is an obstacle, and where it is taken up again.
@@ -166,6 +211,13 @@ std::string leg_headline(const Scenario& mission, const std::vector<LegResult>& 
                      leg.status == Status::solved ? "" : fmt::format(" ({})", to_string(leg.status)));
 }
 
+bool tells_of_several_legs(const std::string& sentence) {
+  for (const char* begin : {"On all legs: ", "On both legs: ", "On legs "}) {
+    if (sentence.starts_with(begin)) return true;
+  }
+  return sentence.starts_with("The load \"") && sentence.find("\", left where leg ") != std::string::npos && sentence.find(" ends, ") != std::string::npos;
+}
+
 Plan join_legs(const Scenario& mission, std::vector<JudgedLeg> legs) {
   Plan all;
   all.version = version;
@@ -180,6 +232,7 @@ Plan join_legs(const Scenario& mission, std::vector<JudgedLeg> legs) {
   if (is_whole) all.certificate = joined_certificate(legs, all.tightest_obstacle);
   if (is_measured) all.metrics = joined_metrics(legs);
   std::vector<LegBegin> begins;
+  const SharedSentences shared{legs};
   for (JudgedLeg& leg : legs) {
     begins.push_back(leg.begin);
     Plan& plan = leg.plan;
@@ -196,7 +249,7 @@ Plan join_legs(const Scenario& mission, std::vector<JudgedLeg> legs) {
     all.timing.plan += plan.timing.plan;
     all.timing.prove += plan.timing.prove;
     all.explanation.push_back(leg_headline(mission, all.legs, leg.begin.index));
-    append_words(all, plan, leg.begin.index, is_stopped_there(plan.status));
+    append_words(all, plan, leg.begin.index, is_stopped_there(plan.status), shared);
     if (!is_whole) {
       result.driven = std::move(plan.samples);
       continue;
@@ -206,6 +259,7 @@ Plan join_legs(const Scenario& mission, std::vector<JudgedLeg> legs) {
     if (!is_measured) plan.samples.clear();
     append_path(all, std::move(plan));
   }
+  for (std::string& sentence : shared.sentences()) all.explanation.push_back(std::move(sentence));
   for (std::string& sentence : sentences_of_left_loads(mission, begins)) all.explanation.push_back(std::move(sentence));
   return all;
 }

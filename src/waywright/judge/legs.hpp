@@ -26,6 +26,9 @@ Plan join_legs(const Scenario& mission, std::vector<JudgedLeg> legs);
 /// What stands before a leg's sentences in the explanation, and tells its figures.
 std::string leg_headline(const Scenario& mission, const std::vector<LegResult>& legs, std::size_t index);
 
+/// Of the sentences behind those of the last leg: "On all legs: …", "On legs 1 and 3: …", "The load …, left where leg 1 ends, …".
+bool tells_of_several_legs(const std::string& sentence);
+
 /// A leg's part of a plan's path, samples and claims as a plan of its own, samples beginning at s = t = 0. Empty where the plan is not made of
 /// its legs: a part is missing, or left over.
 std::optional<std::vector<Plan>> parts_of(const Plan& plan);

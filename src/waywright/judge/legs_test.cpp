@@ -363,6 +363,24 @@ std::vector<Path> past_the_crate(double y) {
           Path{{{Turn{{1.0, 0.0}, 0.0, side}, 0}, {Line{{1.0, 0.0}, {1.0, y}}, 1}, {Turn{{1.0, y}, side, -side}, 0}}}, Path{{{Line{{1.0, y}, {6.0, y}}, 1}}}};
 }
 
+TEST(Legs, WhatSeveralLegsHaveInCommonIsToldOnce) {
+  const auto explained = [](const std::vector<std::vector<std::string>>& sentences) {
+    std::vector<JudgedLeg> legs = judged(mission(), paths());
+    for (std::size_t i = 0; i < legs.size(); ++i) legs[i].plan.explanation = sentences[i];
+    return join_legs(mission(), std::move(legs)).explanation;
+  };
+  const std::vector<std::string> told = explained({{"The cost is so.", "One.", "Proven."}, {"The cost is so.", "Two.", "Proven."}, {"Three.", "Proven.", "Proven."}});
+  std::vector<std::string> without_headlines;
+  for (const std::string& sentence : told) {
+    if (sentence.rfind("Leg ", 0) != 0) without_headlines.push_back(sentence);
+  }
+  const std::string left = "The load \"crate\", left where leg 2 ends, is an obstacle on no later leg.";
+  EXPECT_EQ(without_headlines, (std::vector<std::string>{"One.", "Two.", "Three.", "On legs 1 and 2: The cost is so.", "On all legs: Proven.", left}));
+  EXPECT_EQ(told.front().rfind("Leg 1 of 3", 0), 0U);
+  for (std::size_t i = 0; i < told.size(); ++i) EXPECT_EQ(tells_of_several_legs(told[i]), i >= 6) << told[i];
+  EXPECT_EQ(explained({{"One."}, {"Two."}, {"Three."}}).size(), 3U + 3U + 1U);  // headlines, sentences, the load
+}
+
 TEST(Legs, ALoadThatIsSetDownIsAnObstacleOnceTheVehicleIsClearOfIt) {
   const Plan past = joined(with_crate_left(1.5), past_the_crate(1.5));
   ASSERT_EQ(past.status, Status::solved) << past.reason;

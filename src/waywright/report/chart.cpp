@@ -6,11 +6,12 @@
 #include <cmath>
 
 #include "waywright/report/svg_writer.hpp"
+#include "waywright/report/text_size.hpp"
 
 namespace waywright {
 namespace {
 
-constexpr double left = 58.0, right = 84.0, top = 26.0, bottom = 30.0;  // px around the plot
+constexpr double left = 58.0, top = 26.0, bottom = 30.0;  // px around the plot
 
 constexpr double legend_line = 18.0;  // px
 
@@ -24,6 +25,9 @@ double round_step(double range, double count) {
   }
   return 10.0 * power;
 }
+
+const char* band_style(int direction) { return direction == 1 ? "bandfwd" : direction == -1 ? "bandback" : "bandside"; }
+const char* band_name(int direction) { return direction == 1 ? "forward" : direction == -1 ? "back" : direction == 2 ? "left" : "right"; }
 
 }  // namespace
 
@@ -46,6 +50,11 @@ std::string chart_svg(const Chart& chart, double width, double height) {
     low = std::min(low, limit.value);
     high = std::max(high, limit.value);
   }
+  if (chart.range) {
+    low = std::min(low, chart.range->first);
+    high = std::max(high, chart.range->second);
+  }
+  const double right = chart.right;
   if (!(high > low)) high = low + 1.0;
   const double pad = 0.06 * (high - low);
   high += pad;
@@ -68,8 +77,11 @@ std::string chart_svg(const Chart& chart, double width, double height) {
     const double b = x_of(chart.s[k]);
     if (chart.direction[i] != 0) {
       out += fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
-                         chart.direction[i] > 0 ? "bandfwd" : "bandback", fixed(a), fixed(top), fixed(b - a),
+                         band_style(chart.direction[i]), fixed(a), fixed(top), fixed(b - a),
                          fixed(plot_height));
+      const std::string name = band_name(chart.direction[i]);
+      if (chart.names_bands && b - a > text_width(name, 12.0, false) + 6.0)
+        out += fmt::format("<text class=\"small middle\" x=\"{}\" y=\"{}\">{}</text>", fixed(0.5 * (a + b)), fixed(top + plot_height - 5.0), name);
     }
     const bool is_turn = chart.direction[i] == 0 || (i > 0 && chart.direction[i - 1] == 0);
     if (i > 0 || is_turn)
@@ -103,8 +115,7 @@ std::string chart_svg(const Chart& chart, double width, double height) {
         "x=\"{0}\" y=\"{3}\">{4}</text>\n",
         fixed(x_of(s)), fixed(top), fixed(top + plot_height), fixed(top + plot_height + 16), fixed(s));
   }
-  out += fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">{}</text>", fixed(4.0),
-                     fixed(top + plot_height + 16), escaped(chart.axis));
+  if (!chart.axis.empty()) out += fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">{}</text>", fixed(4.0), fixed(top + plot_height + 16), escaped(chart.axis));
   const auto points_of = [&](const std::vector<double>& s, const std::vector<double>& values) {
     std::string points;
     for (std::size_t i = 0; i < s.size(); ++i) points += fixed(x_of(s[i])) + "," + fixed(y_of(values[i])) + " ";

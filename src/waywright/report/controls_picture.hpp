@@ -9,7 +9,7 @@
 
 namespace waywright {
 
-/// controls.svg: v and ω over time with their limits, below them what the wheels do. Stands alone.
+/// controls.svg: v and ω over time with their limits, of a base that goes sideways that speed, too; below them what each wheel does, a chart for each. Stands alone.
 /// With `torques` those of the wheels' motors, too.
 std::string controls_svg(const Vehicle& vehicle, const std::string& title, std::span<const ControlRow> rows, const WheelTorques* torques = nullptr);
 

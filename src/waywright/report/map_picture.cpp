@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "waywright/report/scene_parts.hpp"
+#include "waywright/report/scene_lanes.hpp"
 
 namespace waywright {
 namespace {
@@ -69,46 +69,30 @@ void draw_placed(SvgWriter& svg, const Map& map) {
   for (const Vec2 p : map.points) svg.dot(p, 1.8, "fwdmark");
 }
 
-/// An arrow head of some pixels in the middle of a lane; of one that is driven both ways none.
-void draw_arrow(SvgWriter& svg, const Lane& lane, double pixel) {
-  double half = 0.5 * length(lane);
-  for (std::size_t i = 0; i + 1 < lane.course.size(); ++i) {
-    const Vec2 way = lane.course[i + 1] - lane.course[i];
-    const double piece = norm(way);
-    if (piece < half || !(piece > 0.0)) {
-      half -= piece;
-      continue;
-    }
-    const Vec2 along = (1.0 / piece) * way, tip = lane.course[i] + half * along + (4.0 * pixel) * along, back = tip - (9.0 * pixel) * along;
-    svg.polygon({tip, back + (4.0 * pixel) * left_of(along), back - (4.0 * pixel) * left_of(along)}, "fwdmark");
-    return;
-  }
-}
-
-/// Lanes, places and stations; names where there is room for them, left of their places near the `right` edge (px).
-void draw_lanes(SvgWriter& svg, const LaneGraph& graph, double right) {
-  constexpr double shortest_arrow = 18.0, room = 26.0;  // px
-  const double pixel = 1.0 / svg.view().scale;
-  for (const Lane& lane : graph.lanes) svg.polyline(lane.course, "placedline");
+/// Lanes, places and stations.
+void draw_lanes(SvgWriter& svg, Labels& labels, const LaneGraph& graph) {
+  constexpr double shortest_arrow = 18.0, gap = 7.0, half = 5.0;  // px
   for (const Lane& lane : graph.lanes) {
-    if (!lane.is_both_ways && length(lane) > shortest_arrow * pixel) draw_arrow(svg, lane, pixel);
+    svg.polyline(lane.course, "placedline");
+    labels.keep_off(lane.course, false);
   }
-  std::vector<Vec2> written;
-  const auto name = [&](Vec2 at, const std::string& text) {
-    if (std::any_of(written.begin(), written.end(), [&](Vec2 other) { return std::abs(other.x - at.x) < 4.0 * room * pixel && std::abs(other.y - at.y) < 0.6 * room * pixel; })) return;
-    written.push_back(at);
-    const bool at_right = svg.view()(at).x > right - 7.0 * static_cast<double>(text.size()) - 8.0;
-    svg.label(at, {at_right ? -6.0 : 6.0, -5.0}, text, at_right ? "note end" : "note");
-  };
+  for (const Lane& lane : graph.lanes) {
+    if (!lane.is_both_ways) draw_course_arrow(svg, lane.course, shortest_arrow, "fwdmark");
+  }
   for (const LaneStation& station : graph.stations) {
     for (const std::size_t place : station.places) svg.line(station.at, graph.places[place].at, "spotline");
   }
-  for (const LanePlace& place : graph.places) svg.dot(place.at, 3.0, "fwdmark");
+  for (const LanePlace& place : graph.places) {
+    svg.dot(place.at, 3.0, "fwdmark");
+    for (const Vec2 off : {Vec2{0, 0}, Vec2{3, 0}, Vec2{-3, 0}, Vec2{0, 3}, Vec2{0, -3}}) labels.room().take(svg.view()(place.at) + off);
+    labels.add({{place.name, "note"}, LabelRank::thing, {}, 0.0, place.at, {1.0, -1.0}, gap, 0.0});
+  }
   for (const LaneStation& station : graph.stations) {
     svg.square(station.at, 9.0, "placed");
-    name(station.at, station.name);
+    const Vec2 at = svg.view()(station.at), reach{half, half};
+    labels.room().take(Box{at - reach, at + reach});
+    labels.add({{station.name, "note"}, LabelRank::spot, {}, 0.0, station.at, {1.0, -1.0}, gap + half, 0.0});
   }
-  for (const LanePlace& place : graph.places) name(place.at, place.name);
 }
 
 }  // namespace
@@ -127,6 +111,7 @@ std::string map_svg(const MapPicture& picture, double width) {
   const double scale = std::min((width - left_gutter) / size.x, 1.1 * width / size.y);
   const Canvas canvas{{region.low.x - left_gutter / scale, region.high.y, scale}, region, left_gutter + size.x * scale, size.y * scale + bottom_gutter};
   SvgWriter svg{canvas.view};
+  Labels labels = labels_for(canvas);
   open_map(svg, canvas);
   using Shape = LegendEntry::Shape;
   std::vector<LegendEntry> legend;
@@ -151,7 +136,7 @@ std::string map_svg(const MapPicture& picture, double width) {
   if (std::any_of(map.grids.begin(), map.grids.end(), [](const CellGrid& g) { return std::find(g.blocked.begin(), g.blocked.end(), 2) != g.blocked.end(); }))
     legend.push_back({"unknown", Shape::box, "unknown"});
   if (picture.lanes != nullptr) {
-    draw_lanes(svg, *picture.lanes, canvas.width);
+    draw_lanes(svg, labels, *picture.lanes);
     legend.push_back({"placedline", Shape::line, "lanes; an arrow: one way"});
     legend.push_back({"fwdmark", Shape::dot, "places"});
     if (!picture.lanes->stations.empty()) legend.push_back({"placed", Shape::box, "stations"});
@@ -161,10 +146,10 @@ std::string map_svg(const MapPicture& picture, double width) {
     svg.polyline({picture.pairs[i].placed, at}, "spotline");
     svg.dot(at, 4.5, "spot");
     const bool known = map.alignment && i < map.alignment->residuals.size();
-    const bool at_right = canvas.view(at).x > canvas.width - 100.0, at_top = canvas.view(at).y < 24.0;
-    svg.label(at, {at_right ? -8.0 : 8.0, at_top ? 18.0 : -6.0}, known ? fmt::format("{}: {:.0f} mm", i + 1, 1e3 * map.alignment->residuals[i]) : fmt::format("{}", i + 1), at_right ? "name end" : "name");
+    labels.add({{known ? fmt::format("{}: {:.0f} mm", i + 1, 1e3 * map.alignment->residuals[i]) : fmt::format("{}", i + 1), "name"}, LabelRank::end, {}, 0.0, at, {1.0, -1.0}, 8.0});
   }
   if (!picture.pairs.empty()) legend.push_back({"spot", Shape::dot, "where pairs of points should lie, and a line to where they do"});
+  if (labels.write(svg) > 0) legend.push_back({"", Shape::none, "names are left out where they have no room"});
   svg.close_group();
   draw_axes(svg, canvas);
   draw_scale(svg, canvas);

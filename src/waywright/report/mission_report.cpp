@@ -27,13 +27,13 @@ std::string charts(const Plan& plan, const std::vector<LegView>& legs) {
   return asked.clearance.size() == plan.samples.size() ? charts_html(plan, asked) : "";
 }
 
-/// The explanation, each leg's sentences below its headline.
+/// The explanation, each leg's sentences below its headline; what is told of several legs below one of its own.
 std::string why(const Plan& plan) {
   std::vector<std::string> headlines;
   for (std::size_t i = 0; i < plan.legs.size(); ++i) headlines.push_back(leg_headline(plan.scenario, plan.legs, i));
   std::string out = plan.samples.empty() ? "<h2>What happened</h2>\n" : "<h2>Why this path</h2>\n";
   std::size_t next = 0;
-  bool is_open = false;
+  bool is_open = false, is_of_several = false;
   for (const std::string& sentence : explanation_once(plan, true)) {
     const auto headline = std::find(headlines.begin() + static_cast<std::ptrdiff_t>(next), headlines.end(), sentence);
     if (headline != headlines.end()) {
@@ -42,6 +42,11 @@ std::string why(const Plan& plan) {
       is_open = false;
       out += fmt::format("<p><b>{}</b></p>\n", escaped(sentence));
       continue;
+    }
+    if (!is_of_several && next == headlines.size() && tells_of_several_legs(sentence)) {
+      out += fmt::format("{}<p><b>Several legs</b></p>\n", is_open ? "</ul>\n" : "");
+      is_open = false;
+      is_of_several = true;
     }
     if (!is_open) out += "<ul>\n";
     is_open = true;

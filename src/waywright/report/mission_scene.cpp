@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 
+#include "waywright/io/lane_courses.hpp"
+#include "waywright/report/scene_lanes.hpp"
 #include "waywright/report/scene_parts.hpp"
 #include "waywright/report/scene_zones.hpp"
 #include "waywright/report/words.hpp"
@@ -27,15 +29,17 @@ class MissionScene {
  public:
   /// Without a width: small.
   MissionScene(const Plan& plan, const std::vector<LegView>& legs, std::optional<double> width)
-      : plan_{plan}, legs_{legs}, canvas_{width ? canvas_for(plan.scenario.map, seen(), *width) : small_canvas(seen())}, svg_{canvas_.view} {}
+      : plan_{plan}, legs_{legs}, canvas_{width ? canvas_for(plan.scenario.map, seen(), *width, lane_courses_of(plan.scenario.meta).courses) : small_canvas(seen())}, svg_{canvas_.view}, labels_{labels_for(canvas_)} {}
 
   void draw(bool is_small) {
     const Scenario& mission = plan_.scenario;
     open_map(svg_, canvas_);
     draw_zone_areas(svg_, mission.zones);
-    Scenario map_alone;
-    map_alone.map = mission.map;
-    numbered_ = draw_map(svg_, map_alone, canvas_.region, !is_small);
+    draw_map(svg_, mission.map, canvas_.region);
+    if (!is_small) {
+      lanes_ = draw_lane_courses(svg_, mission.meta, mission.zones);
+      numbered_ = name_obstacles(labels_, canvas_.view, mission.map, canvas_.region, plan_.tightest_obstacle);
+    }
     for (const Leg& leg : mission.legs) draw_place_of(leg);
     if (!is_long()) {
       for (const LegView& leg : legs_) draw_sweep(svg_, leg.footprint, leg.samples);
@@ -52,18 +56,16 @@ class MissionScene {
       for (const LegView& leg : legs_) draw_turning_points(leg);
       for (const Leg& leg : mission.legs) draw_waypoints_of(leg);
     }
-    if (!is_small) {
-      LabelRoom room;
-      for (const LegView& leg : legs_) {
-        std::vector<Vec2> way;
-        for (const Sample& sample : leg.samples) way.push_back(canvas_.view({sample.x, sample.y}));
-        room.take_line(way);
-      }
-      draw_zone_names(svg_, mission.zones, canvas_.region, room);
+    for (const LegView& leg : legs_) {
+      std::vector<Vec2> way;
+      for (const Sample& sample : leg.samples) way.push_back({sample.x, sample.y});
+      labels_.keep_off(way, false);
     }
+    if (!is_small) name_zones(labels_, canvas_.view, mission.zones, canvas_.region);
     draw_ends();
     for (std::size_t i = 0; i < legs_.size(); ++i) draw_number(i);
     draw_spots(is_small);
+    crowded_ = labels_.write(svg_) > 0 || crowded_;
     svg_.close_group();
     if (is_small) return;
     draw_axes(svg_, canvas_);
@@ -91,11 +93,13 @@ class MissionScene {
       entries.push_back({"area", Shape::line, "station"});
     }
     if (regions_) entries.push_back({"region", Shape::box, "region in which a leg ends"});
+    if (lanes_) entries.push_back(lane_legend().front());
     for (LegendEntry& entry : zone_legend(plan_.scenario.zones)) entries.push_back(std::move(entry));
     if (blocked_) entries.push_back({"hit", Shape::box, "where it touches or comes too near"});
     if (tight_) entries.push_back({"tightdot", Shape::dot, "tightest spot of all"});
     if (spots_) entries.push_back({"spot", Shape::dot, "tightest spot of a leg"});
     if (numbered_) entries.push_back({"", Shape::none, "0, 1, 2 … on obstacles: as the text names them"});
+    if (crowded_) entries.push_back({"", Shape::none, "numbers and names are left out where they have no room"});
     return entries;
   }
 
@@ -202,7 +206,7 @@ class MissionScene {
     Scenario one;
     one.waypoints = leg.waypoints;
     one.waypoint_radius = leg.waypoint_radius;
-    draw_waypoints(svg_, one);
+    draw_waypoints(svg_, one, labels_);
     waypoints_ = true;
   }
 
@@ -224,17 +228,23 @@ class MissionScene {
     for (std::size_t i = 0; i < legs_.size(); ++i) {
       if (!legs_[i].samples.empty() || plan_.samples.empty()) add(legs_[i].last, legs_[i].footprint, fmt::format("E{}", i + 1));
     }
-    for (const End& end : ends) draw_vehicle(svg_, *end.footprint, end.pose, end.name.c_str());
+    for (const End& end : ends) {
+      draw_vehicle(svg_, *end.footprint, end.pose);
+      labels_.keep_off(outline_at(*end.footprint, end.pose), true);
+      name_end(labels_, end.pose.position(), end.name);
+    }
   }
 
-  /// In the middle of the leg, or where fewer of the numbers before it are near.
+  /// In the middle of the leg, or where fewer of the numbers before it are near; nowhere where all of the leg is full of them.
   void draw_number(std::size_t i) {
     const std::vector<Sample>& samples = legs_[i].samples;
     if (samples.size() < 2) return;
-    constexpr double enough = 30.0;  // px between two
+    constexpr double enough = 30.0;   // px between two
+    constexpr double least = 19.0;    // px, a badge's width and a little
+    constexpr double half = 10.0;     // px, of a badge
     Vec2 best{};
     double farthest = -1.0;
-    for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8}) {
+    for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8, 0.42, 0.58, 0.27, 0.73, 0.12, 0.88, 0.05, 0.95}) {
       const auto there = std::find_if(samples.begin(), samples.end(), [&](const Sample& s) { return s.s >= share * samples.back().s; });
       const Vec2 at = canvas_.view(there->pose().position());
       double nearest = enough;
@@ -243,7 +253,13 @@ class MissionScene {
       farthest = nearest;
       best = at;
     }
+    if (farthest < (i >= 99 ? least + 6.0 : least)) {
+      crowded_ = true;
+      return;
+    }
     numbers_.push_back(best);
+    const Vec2 reach{i >= 99 ? half + 3.0 : half, i >= 99 ? half + 3.0 : half};
+    labels_.room().take(Box{best - reach, best + reach});
     svg_.raw(badge(i, best.x, best.y) + "\n");
   }
 
@@ -263,7 +279,7 @@ class MissionScene {
       if (*c.tightest == *all.tightest && c.tightest_point == all.tightest_point && !tight_) {
         tight_ = true;
         if (is_small) svg_.dot(c.tightest_point, 4.0, "tightdot");
-        else draw_tightest_spot(svg_, canvas_, legs_[i].footprint, all, legs_[i].margin > 0.0, plan_.status == Status::solved);
+        else draw_tightest_spot(svg_, labels_, legs_[i].footprint, all, legs_[i].margin > 0.0, plan_.status == Status::solved);
       } else if (!is_small) {
         svg_.dot(c.tightest_point, 3.5, "spot");
         spots_ = true;
@@ -275,8 +291,9 @@ class MissionScene {
   const std::vector<LegView>& legs_;
   Canvas canvas_;
   SvgWriter svg_;
+  Labels labels_;
   std::vector<Vec2> numbers_;  ///< px, where the legs' numbers stand
-  bool numbered_ = false, stations_ = false, regions_ = false, loads_ = false, set_down_ = false, turns_ = false, waypoints_ = false, blocked_ = false, tight_ = false, spots_ = false;
+  bool lanes_ = false, crowded_ = false, numbered_ = false, stations_ = false, regions_ = false, loads_ = false, set_down_ = false, turns_ = false, waypoints_ = false, blocked_ = false, tight_ = false, spots_ = false;
 };
 
 }  // namespace

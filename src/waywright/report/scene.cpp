@@ -8,6 +8,7 @@
 
 #include "waywright/geometry/polygon.hpp"
 #include "waywright/report/scene_field.hpp"
+#include "waywright/report/scene_lanes.hpp"
 #include "waywright/report/scene_moving.hpp"
 #include "waywright/report/scene_parts.hpp"
 #include "waywright/report/scene_search.hpp"
@@ -48,7 +49,7 @@ bool shows_unknown(const Map& map, const Box& region) {
 
 class Scene {
  public:
-  Scene(const Problem& problem, const Plan& plan, const Canvas& canvas) : problem_{problem}, plan_{plan}, canvas_{canvas}, svg_{canvas_.view} {}
+  Scene(const Problem& problem, const Plan& plan, const Canvas& canvas) : problem_{problem}, plan_{plan}, canvas_{canvas}, svg_{canvas_.view}, labels_{labels_for(canvas_)} {}
 
   void draw() {
     if (plan_.field) field_ = plan_.field->of(problem_, canvas_.region);
@@ -56,7 +57,9 @@ class Scene {
     if (field_) draw_field(svg_, *field_);
     draw_zone_areas(svg_, problem_.scenario().zones);
     draw_zones();
-    numbered_ = draw_map(svg_, problem_.scenario(), canvas_.region);
+    draw_map(svg_, problem_.scenario(), canvas_.region);
+    lanes_ = draw_lane_courses(svg_, problem_.scenario().meta, problem_.scenario().zones);
+    numbered_ = name_obstacles(labels_, canvas_.view, problem_.scenario().map, canvas_.region, plan_.tightest_obstacle);
     if (plan_.replanned) draw_replanned(svg_, *plan_.replanned);
     if (plan_.search) draw_search(svg_, *plan_.search, canvas_.region);
     take_room();
@@ -66,16 +69,16 @@ class Scene {
     if (field_) draw_casing();
     draw_path(svg_, plan_.samples);
     if (field_) svg_.close_group();
-    draw_moving(svg_, canvas_, plan_, room_);
-    draw_zone_names(svg_, problem_.scenario().zones, canvas_.region, room_);
+    meets_ = draw_moving(svg_, labels_, problem_, plan_, canvas_.region);
+    name_zones(labels_, canvas_.view, problem_.scenario().zones, canvas_.region);
     draw_stops();
     if (field_) draw_field_marks(svg_, *field_);
-    draw_waits(svg_, canvas_, plan_, room_);
-    draw_waypoints(svg_, problem_.scenario());
-    draw_vehicle(svg_, problem_.footprint(), problem_.first_pose(), "S");
-    draw_goal(svg_, problem_, plan_, end_name());
+    draw_waits(svg_, labels_, plan_);
+    draw_waypoints(svg_, problem_.scenario(), labels_);
+    draw_ends();
     draw_blocked();
     draw_tightest();
+    crowded_ = labels_.write(svg_) > 0 || crowded_;
     svg_.close_group();
     draw_axes(svg_, canvas_);
     draw_scale(svg_, canvas_);
@@ -85,14 +88,14 @@ class Scene {
   void draw_small() {
     open_map(svg_, canvas_);
     draw_zone_areas(svg_, problem_.scenario().zones);
-    draw_map(svg_, problem_.scenario(), canvas_.region, false);
+    draw_map(svg_, problem_.scenario(), canvas_.region);
     draw_sweep(svg_, problem_.footprint(), plan_.samples);
     draw_path(svg_, plan_.samples);
-    draw_vehicle(svg_, problem_.footprint(), problem_.first_pose(), "S");
-    draw_goal(svg_, problem_, plan_, end_name());
+    draw_ends();
     draw_blocked();
     const Certificate& c = plan_.certificate;
     if (!plan_.samples.empty() && c.tightest && !is_beyond_measure(c)) svg_.dot(c.tightest_point, 4.0, "tightdot");
+    labels_.write(svg_);
     svg_.close_group();
   }
 
@@ -119,13 +122,14 @@ class Scene {
     }
     if (!problem_.scenario().waypoints.empty()) entries.push_back({"waypoint", Shape::dot, "1, 2, 3 …: waypoints in order"});
     if (stops_) entries.push_back({"stop", Shape::square, "stop where the curvature jumps"});
-    if (crowded_) entries.push_back({"", Shape::none, "marks are left out where they are too near to each other"});
-    for (LegendEntry& entry : moving_legend(plan_)) entries.push_back(std::move(entry));
+    if (crowded_) entries.push_back({"", Shape::none, "marks and names are left out where they have no room"});
+    for (LegendEntry& entry : moving_legend(plan_, meets_)) entries.push_back(std::move(entry));
     if (const auto* station = std::get_if<Station>(&problem_.scenario().mission)) {
       entries.push_back({"shelf", Shape::box, "shelf, loading face bold"});
       if (station->insertion) entries.push_back({"pocket", Shape::box, "pocket"});
       entries.push_back({"area", Shape::line, "station"});
     }
+    if (lanes_) entries.push_back(lane_legend().front());
     for (LegendEntry& entry : zone_legend(problem_.scenario().zones)) entries.push_back(std::move(entry));
     if (const FreeGoal* free = problem_.free_goal(); free != nullptr && !free->is_point()) entries.push_back({"region", Shape::box, "region of the goal"});
     if (zones_) entries.push_back({"zone", Shape::box, "where the change of direction was searched"});
@@ -162,6 +166,12 @@ class Scene {
                                                                           : "G";
   }
 
+  void draw_ends() {
+    draw_vehicle(svg_, problem_.footprint(), problem_.first_pose());
+    name_end(labels_, problem_.first_pose().position(), "S");
+    name_end(labels_, draw_goal(svg_, problem_, plan_), end_name());
+  }
+
   /// Zones mean something beside a shelf; about a free goal they are half planes that cover the whole map.
   void draw_zones() {
     if (!std::holds_alternative<Station>(problem_.scenario().mission)) return;
@@ -174,37 +184,24 @@ class Scene {
 
   /// Path, vehicle at its ends and where it turns, and what moves: names keep off them.
   void take_room() {
-    const auto line = [&](const std::vector<Vec2>& points, bool is_closed) {
-      std::vector<Vec2> pixels;
-      for (const Vec2 p : points) pixels.push_back(canvas_.view(p));
-      if (is_closed && !pixels.empty()) pixels.push_back(pixels.front());
-      room_.take_line(pixels);
-    };
     std::vector<Vec2> way;
     for (const Sample& s : plan_.samples) way.push_back({s.x, s.y});
-    line(way, false);
-    for (const Pose& pose : {problem_.first_pose(), problem_.last_pose()}) line(outline_at(problem_.footprint(), pose), true);
+    labels_.keep_off(way, false);
+    for (const Pose& pose : {problem_.first_pose(), problem_.last_pose()}) labels_.keep_off(outline_at(problem_.footprint(), pose), true);
     for (std::size_t i = 1; i < plan_.samples.size(); ++i) {
-      if (is_direction_change(plan_.samples[i - 1], plan_.samples[i])) line(outline_at(problem_.footprint(), plan_.samples[i].pose()), true);
-    }
-    if (numbered_) {
-      for (const Ring& ring : problem_.scenario().map.obstacles) {
-        const Box box = bounding_box(ring);
-        const Vec2 middle = canvas_.view(0.5 * (box.low + box.high)), half{8.0, 8.0};
-        room_.take(Box{middle - half, middle + half});
-      }
+      if (is_direction_change(plan_.samples[i - 1], plan_.samples[i])) labels_.keep_off(outline_at(problem_.footprint(), plan_.samples[i].pose()), true);
     }
     if (field_) {
       for (const FieldPicture::Critical& c : field_->critical) {
         const Vec2 at = canvas_.view(c.at), half{7.0, 7.0};
-        room_.take(Box{at - half, at + half});
+        labels_.room().take(Box{at - half, at + half});
       }
     }
     const double end = plan_.samples.empty() ? 0.0 : plan_.samples.back().t;
     for (const MovingObstacle& obstacle : plan_.scenario.moving) {
       std::vector<double> times{0.0, end};
       for (const Wait& wait : plan_.waits) times.push_back(wait.from);
-      for (const double t : times) line(outline_at(obstacle.footprint, obstacle.at(t)), true);
+      for (const double t : times) labels_.keep_off(outline_at(obstacle.footprint, obstacle.at(t)), true);
     }
   }
 
@@ -242,7 +239,7 @@ class Scene {
                                : a.is_length ? fmt::format("{}: {:.2f} m", a.name, *a.cost)
                                             : fmt::format("{}: cost {:.3f}", a.name, *a.cost);
       const Vec2 at = calm_point(points, busy);
-      label_beside(svg_, canvas_, at, {1.0, 0.0}, {text, "note"}, &room_);
+      labels_.add({{text, "note"}, LabelRank::other, {}, 0.0, at, {1.0, 0.0}});
       busy.push_back(at);
     }
   }
@@ -250,6 +247,7 @@ class Scene {
   void draw_stops() {
     // Where many are near each other (along a Voronoi diagram of cells, say), they would hide each other and the path.
     constexpr double room = 18.0, least = 8.0;  // px between letters, between marks
+    constexpr double nearest = 20.0;            // px that a letter may stand farther off
     constexpr double same = 0.01;               // px: a turn on the spot has a mark at its begin and at its end
     const double spin_room = std::max(least, 0.6 * problem_.footprint().radius() * canvas_.view.scale);  // outlines one upon another tell nothing
     std::vector<Vec2> letters{canvas_.view(problem_.first_pose().position()), canvas_.view(problem_.last_pose().position())}, outlines, squares;
@@ -267,7 +265,8 @@ class Scene {
       // Changes of direction are all there: each is a place that somebody looks for.
       if (!is_spin || has_room(outlines, pose.position(), spin_room, same)) {
         if (is_spin) svg_.open_group("spinmark");
-        draw_vehicle(svg_, problem_.footprint(), pose, !is_spin || has_room(letters, pose.position(), room) ? "T" : "");
+        draw_vehicle(svg_, problem_.footprint(), pose);
+        if (!is_spin || has_room(letters, pose.position(), room)) labels_.add({{"T", "name"}, LabelRank::turn, {}, 0.0, pose.position(), {1.0, -1.0}, 7.0, nearest});
         if (is_spin) svg_.close_group();
       } else {
         crowded_ = true;
@@ -296,14 +295,13 @@ class Scene {
     if (plan_.samples.empty() || !c.tightest || is_beyond_measure(c)) return;
     tight_ = true;
     blocked_ = !c.collision_free;
-    draw_tightest_spot(svg_, canvas_, problem_.footprint(), c, problem_.pose_error_margin() > 0.0, plan_.status == Status::solved, &room_);
+    draw_tightest_spot(svg_, labels_, problem_.footprint(), c, problem_.pose_error_margin() > 0.0, plan_.status == Status::solved);
     if (const auto spot = c.collision_free ? tightest_off_straight(problem_, plan_) : std::nullopt) {
       off_straight_ = true;
       const Vec2 near = point_on(problem_.footprint(), spot->pose, spot->point);
       svg_.line(near, spot->point, "spotline");
       svg_.dot(near, 3.5, "spot");
-      label_beside(svg_, canvas_, near, {near.x - spot->point.x, spot->point.y - near.y},
-                   {fmt::format("{:.0f} mm", 1000.0 * spot->clearance), "note"}, &room_);
+      labels_.add({{fmt::format("{:.0f} mm", 1000.0 * spot->clearance), "note"}, LabelRank::spot, {}, 0.0, near, {near.x - spot->point.x, spot->point.y - near.y}});
     }
   }
 
@@ -312,7 +310,8 @@ class Scene {
   Canvas canvas_;
   SvgWriter svg_;
   std::shared_ptr<const FieldPicture> field_{};
-  LabelRoom room_{};
+  Labels labels_;
+  bool lanes_ = false, meets_ = false;
   bool zones_ = false, others_ = false, numbered_ = false, turns_ = false, changes_ = false, spins_ = false, stops_ = false, crowded_ = false, blocked_ = false,
        tight_ = false, off_straight_ = false;
 };
@@ -369,6 +368,9 @@ std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std:
   open_map(svg, canvas);
   draw_zone_areas(svg, scenario.zones);
   draw_map(svg, scenario, canvas.region);
+  draw_lane_courses(svg, scenario.meta, scenario.zones);
+  Labels labels = labels_for(canvas);
+  name_obstacles(labels, canvas.view, scenario.map, canvas.region);
   std::vector<OverlayEntry> legend;
   std::vector<std::vector<Vec2>> drawn;
   for (std::size_t i = 0; i < plans.size(); ++i) {
@@ -385,21 +387,19 @@ std::string overlay_svg(const Problem& problem, const std::vector<std::pair<std:
     }
     legend.push_back({stroke, text + ")"});
   }
-  LabelRoom room;
-  for (const std::vector<Vec2>& points : drawn) {
-    std::vector<Vec2> line;
-    for (const Vec2 p : points) line.push_back(canvas.view(p));
-    room.take_line(line);
-  }
-  draw_zone_names(svg, scenario.zones, canvas.region, room);
-  draw_waypoints(svg, scenario);
-  draw_vehicle(svg, problem.footprint(), problem.first_pose(), "S");
+  for (const std::vector<Vec2>& points : drawn) labels.keep_off(points, false);
+  name_zones(labels, canvas.view, scenario.zones, canvas.region);
+  draw_waypoints(svg, scenario, labels);
+  draw_vehicle(svg, problem.footprint(), problem.first_pose());
+  name_end(labels, problem.first_pose().position(), "S");
   const char* end_name = problem.is_driven_back() ? "E" : std::holds_alternative<Station>(scenario.mission) ? "D" : "G";
   // Where the heading is free, each of them ends as it likes.
   for (const Plan* plan : all) {
-    draw_goal(svg, problem, *plan, end_name);
+    const Vec2 at = draw_goal(svg, problem, *plan);
+    if (plan == all.front()) name_end(labels, at, end_name);
     if (problem.free_goal() == nullptr) break;
   }
+  labels.write(svg);
   svg.close_group();
   draw_axes(svg, canvas);
   draw_scale(svg, canvas);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "waywright/report/scene_parts.hpp"
+#include "waywright/report/text_size.hpp"
 
 namespace waywright {
 namespace {
@@ -36,8 +37,7 @@ std::string mark(const LegendEntry& entry, double x, double y) {
 }
 
 double width_of(const LegendEntry& entry) {
-  return (entry.shape == LegendEntry::Shape::none ? 14.0 : 42.0) +
-         6.9 * static_cast<double>(entry.text.size());
+  return (entry.shape == LegendEntry::Shape::none ? 18.0 : 46.0) + text_width(entry.text, 12.0, false);
 }
 
 constexpr double letter = 7.8;  // px, of the overlay's legend, at least as wide as the text comes out

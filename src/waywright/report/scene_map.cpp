@@ -5,14 +5,17 @@
 #include <array>
 #include <cmath>
 
+#include "waywright/geometry/pole.hpp"
 #include "waywright/geometry/polygon.hpp"
+#include "waywright/io/lane_courses.hpp"
 #include "waywright/report/scene_parts.hpp"
 #include "waywright/report/spots.hpp"
 
 namespace waywright {
 namespace {
 
-constexpr double margin = 1.0;            // m around what is shown
+constexpr double margin = 1.0;            // m around what is shown, at least
+constexpr double margin_share = 0.02;     // of its longer side
 constexpr std::size_t most_runs = 40000;  // of cells
 constexpr std::size_t most_numbers = 60;  // of obstacles and lines: more would hide the map
 
@@ -43,16 +46,31 @@ std::vector<Vec2> seen_of(const Problem& problem, const std::vector<const Plan*>
   return points;
 }
 
-Box region_of(const Map& map, const std::vector<Vec2>& seen) {
-  Box box = bounding_box(seen);
+/// What there is of the map beyond what must be seen: its boundary; without one its lines and obstacles; the lanes. Cells may reach far beyond what anybody drew.
+std::vector<Vec2> extent_of(const Map& map, const std::vector<Polyline>& lanes) {
+  std::vector<Vec2> points;
   if (!map.boundaries.empty()) {
-    const Box whole = bounding_box(map.boundaries.front());
-    if (norm(whole.high - whole.low) < 3.0 * norm(box.high - box.low)) {
+    add_ring(points, map.boundaries.front());
+  } else if (!map.lines.empty()) {
+    for (const Polyline& line : map.lines) add_ring(points, line);
+    for (const Ring& ring : map.obstacles) add_ring(points, ring);
+  }
+  for (const Polyline& lane : lanes) add_ring(points, lane);
+  return points;
+}
+
+Box region_of(const Map& map, const std::vector<Vec2>& seen, const std::vector<Polyline>& lanes) {
+  Box box = bounding_box(seen);
+  if (const std::vector<Vec2> all = extent_of(map, lanes); !all.empty()) {
+    const Box whole = bounding_box(all);
+    const double larger = lanes.empty() ? 3.0 : 4.0;  // where lanes lead says more than what is beside the way
+    if (norm(whole.high - whole.low) < larger * norm(box.high - box.low)) {
       const std::vector<Vec2> points{box.low, box.high, whole.low, whole.high};
       box = bounding_box(points);
     }
   }
-  return {box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}};
+  const double about = std::max(margin, margin_share * std::max(box.high.x - box.low.x, box.high.y - box.low.y));
+  return {box.low - Vec2{about, about}, box.high + Vec2{about, about}};
 }
 
 void draw_cells(SvgWriter& svg, const CellGrid& grid, const Box& region) {
@@ -93,28 +111,73 @@ double round_length(double metres) {
   return power;
 }
 
-/// Where a ring's number stands: the middle of its box.
-Vec2 middle_of(const std::vector<Vec2>& points) {
-  const Box box = bounding_box(points);
-  return 0.5 * (box.low + box.high);
+/// What of a ring lies in sight: the largest part.
+Ring seen_part(const Ring& ring, const Box& region) {
+  const Box box = bounding_box(ring);
+  if (ring.size() < 3 || (region.contains(box.low) && region.contains(box.high))) return ring;
+  std::vector<Ring> parts{ring};
+  for (const auto& [normal, offset] : {std::pair{Vec2{1.0, 0.0}, region.low.x}, std::pair{Vec2{-1.0, 0.0}, -region.high.x}, std::pair{Vec2{0.0, 1.0}, region.low.y}, std::pair{Vec2{0.0, -1.0}, -region.high.y}}) {
+    std::vector<Ring> left;
+    for (const Ring& part : parts) {
+      for (Ring& piece : clip_half_plane(part, normal, offset)) left.push_back(std::move(piece));
+    }
+    parts = std::move(left);
+  }
+  const auto largest = std::max_element(parts.begin(), parts.end(), [](const Ring& a, const Ring& b) { return signed_area(a) < signed_area(b); });
+  return largest == parts.end() ? Ring{} : *largest;
 }
 
-bool draw_numbers(SvgWriter& svg, const Map& map, const Box& region) {
-  if (map.obstacles.size() + map.lines.size() > most_numbers) return false;
-  bool any = false;
-  const auto number = [&](const std::vector<Vec2>& points, Vec2 at, Vec2 offset, const std::string& text) {
-    if (points.empty() || !region.contains(at)) return;
-    svg.label(at, offset, text, "number");
-    any = true;
-  };
-  for (std::size_t i = 0; i < map.obstacles.size(); ++i)
-    number(map.obstacles[i], middle_of(map.obstacles[i]), {0.0, 4.0}, fmt::format("{}", i));
-  for (std::size_t i = 0; i < map.lines.size(); ++i)
-    number(map.lines[i], middle_of(map.lines[i]), {22.0, 4.0}, fmt::format("line {}", i));
-  return any;
+/// Places along a line that lie in sight: the middle of it, then others.
+std::vector<Vec2> places_along(const Polyline& line, const Box& region) {
+  double length = 0.0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) length += distance(line[i], line[i + 1]);
+  std::vector<Vec2> places;
+  for (const double share : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {
+    double left = share * length;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      const double piece = distance(line[i], line[i + 1]);
+      if (left > piece && i + 2 < line.size()) {
+        left -= piece;
+        continue;
+      }
+      const Vec2 at = piece > 0.0 ? line[i] + std::min(1.0, left / piece) * (line[i + 1] - line[i]) : line[i];
+      if (region.contains(at)) places.push_back(at);
+      break;
+    }
+  }
+  return places;
 }
 
 }  // namespace
+
+bool name_obstacles(Labels& labels, const View& view, const Map& map, const Box& region, const std::string& tightest) {
+  if (map.obstacles.size() + map.lines.size() > most_numbers) return false;
+  constexpr double precise = 1.0, near = 40.0;  // px
+  bool any = false;
+  const auto add = [&](Labels::Wish wish, const std::string& source) {
+    wish.rank = source == tightest ? LabelRank::spot : wish.rank;
+    labels.add(std::move(wish));
+    any = true;
+  };
+  for (const Ring& ring : map.obstacles) labels.keep_off(ring, true);
+  for (const Polyline& line : map.lines) labels.keep_off(line, false);
+  for (std::size_t i = 0; i < map.obstacles.size(); ++i) {
+    const Ring part = map.obstacles[i].empty() ? Ring{} : seen_part(map.obstacles[i], region);
+    if (part.empty()) continue;
+    const Vec2 at = pole_of_inaccessibility(part, precise / view.scale);
+    if (!region.contains(at)) continue;
+    const std::string number = fmt::format("{}", i);
+    add({{number, "number"}, LabelRank::number, {at}, Labels::anywhere, at, {1.0, -1.0}, 6.0, near}, "obstacle " + number);
+  }
+  for (std::size_t i = 0; i < map.lines.size(); ++i) {
+    const std::vector<Vec2> places = places_along(map.lines[i], region);
+    if (places.empty()) continue;
+    const std::string name = fmt::format("line {}", i);
+    const Vec2 along = map.lines[i].back() - map.lines[i].front();
+    add({{name, "number"}, LabelRank::other, {}, 0.0, places.front(), std::abs(along.x) > std::abs(along.y) ? Vec2{0.0, -1.0} : Vec2{1.0, 0.0}, 4.0, near}, name);
+  }
+  return any;
+}
 
 Ring outline_at(const Footprint& footprint, const Pose& pose) {
   if (!footprint.is_disc()) return transformed(footprint.polygon, Frame{pose});
@@ -132,11 +195,11 @@ Canvas canvas_of(const Box& region, double scale) {
 }  // namespace
 
 Canvas canvas_for(const Problem& problem, const std::vector<const Plan*>& plans, double width) {
-  return canvas_for(problem.scenario().map, seen_of(problem, plans), width);
+  return canvas_for(problem.scenario().map, seen_of(problem, plans), width, lane_courses_of(problem.scenario().meta).courses);
 }
 
-Canvas canvas_for(const Map& map, const std::vector<Vec2>& seen, double width) {
-  Box region = region_of(map, seen);
+Canvas canvas_for(const Map& map, const std::vector<Vec2>& seen, double width, const std::vector<Polyline>& lanes) {
+  Box region = region_of(map, seen, lanes);
   Vec2 size = region.high - region.low;
   // A way along a hall is a thread: what lies beside it is shown, too.
   constexpr double thinnest = 0.3;
@@ -202,10 +265,9 @@ void draw_station(SvgWriter& svg, const Station& station) {
   svg.line(shelf[1], shelf[2], "face");
 }
 
-bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region, bool numbered) {
+void draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region) {
   draw_map(svg, scenario.map, region);
   if (const auto* station = std::get_if<Station>(&scenario.mission)) draw_station(svg, *station);
-  return numbered && draw_numbers(svg, scenario.map, region);
 }
 
 void draw_axes(SvgWriter& svg, const Canvas& canvas) {
@@ -258,12 +320,12 @@ std::string stroke_attributes(const OverlayStroke& stroke) {
   return fmt::format("stroke=\"{}\"{}", stroke.colour, stroke.dashes.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", stroke.dashes));
 }
 
-void draw_waypoints(SvgWriter& svg, const Scenario& scenario) {
+void draw_waypoints(SvgWriter& svg, const Scenario& scenario, Labels& labels) {
   for (std::size_t i = 0; i < scenario.waypoints.size(); ++i) {
     const Vec2 at = scenario.waypoints[i];
     if (scenario.waypoint_radius > 0.0) svg.polygon(outline_at({{}, scenario.waypoint_radius}, make_pose(at, 0.0)), "waypointring");
     svg.dot(at, 4.0, "waypoint");
-    svg.label(at, {8.0, -6.0}, fmt::format("{}", i + 1), "name");
+    labels.add({{fmt::format("{}", i + 1), "name"}, LabelRank::end, {}, 0.0, at, {1.0, -1.0}, 8.0});
   }
 }
 

@@ -13,7 +13,7 @@ constexpr double least_arrow_gap = 34.0;  // px, where that is too near
 
 }  // namespace
 
-void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose, const char* name) {
+void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose) {
   svg.polygon(outline_at(footprint, pose), "vehicle");
   const Frame frame{pose};
   const double front = footprint.front();
@@ -23,16 +23,19 @@ void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose, 
   svg.polyline(
       {frame.to_world(Vec2{front - head, 0.6 * head}), tip, frame.to_world(Vec2{front - head, -0.6 * head})},
       "heading");
-  if (*name != '\0') svg.label(pose.position(), {6.0, -6.0}, name, "name");
 }
 
-void draw_goal(SvgWriter& svg, const Problem& problem, const Plan& plan, const char* name) {
+Vec2 draw_goal(SvgWriter& svg, const Problem& problem, const Plan& plan) {
   const FreeGoal* free = problem.free_goal();
-  if (free == nullptr) return draw_vehicle(svg, problem.footprint(), problem.last_pose(), name);
+  if (free == nullptr) {
+    draw_vehicle(svg, problem.footprint(), problem.last_pose());
+    return problem.last_pose().position();
+  }
   if (free->is_point()) svg.dot(free->area.front(), 4.0, "waypoint");
   else svg.polygon(free->area, "region");
-  if (!plan.samples.empty()) draw_vehicle(svg, problem.footprint(), plan.samples.back().pose(), name);
-  else svg.label(problem.goal().position(), {6.0, -6.0}, name, "name");
+  if (plan.samples.empty()) return problem.goal().position();
+  draw_vehicle(svg, problem.footprint(), plan.samples.back().pose());
+  return plan.samples.back().pose().position();
 }
 
 /// Runs of equal direction as polylines.

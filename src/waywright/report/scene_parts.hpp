@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "waywright/judge/plan.hpp"
-#include "waywright/report/label_room.hpp"
+#include "waywright/report/labels.hpp"
 #include "waywright/report/svg_writer.hpp"
 #include "waywright/scenario/problem.hpp"
 
@@ -21,8 +21,8 @@ struct Canvas {
   double width = 0.0, height = 0.0;  ///< px, gutters included
 };
 
-/// What must be seen, scaled to about `width` pixels; a map that is not much larger is shown whole.
-Canvas canvas_for(const Map& map, const std::vector<Vec2>& seen, double width);
+/// What must be seen, scaled to about `width` pixels; a map (of lines, where it has no boundary) or the lanes on it that are not much larger are shown whole.
+Canvas canvas_for(const Map& map, const std::vector<Vec2>& seen, double width, const std::vector<Polyline>& lanes = {});
 /// The same of start, goal, station and paths.
 Canvas canvas_for(const Problem& problem, const std::vector<const Plan*>& plans, double width);
 /// Of what is driven alone, with a margin: start, goal, path, shelf, and where it is blocked; no smaller than what fills some 200 px squared, and wide where it is.
@@ -33,22 +33,26 @@ Canvas small_canvas(const std::vector<Vec2>& seen);
 Ring outline_at(const Footprint& footprint, const Pose& pose);
 
 void open_map(SvgWriter& svg, const Canvas& canvas);
-/// Map and station; obstacles and lines with the numbers by which sentences name them. Returns whether there
-/// are numbers.
-bool draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region, bool numbered = true);
+/// Map and station.
+void draw_map(SvgWriter& svg, const Scenario& scenario, const Box& region);
+/// Obstacles and lines, off which texts keep, get the numbers by which sentences name them, those within the region and not too many; the one that `tightest` names ("obstacle 4") first. Returns
+/// whether there are any.
+bool name_obstacles(Labels& labels, const View& view, const Map& map, const Box& region, const std::string& tightest = {});
 void draw_station(SvgWriter& svg, const Station& station);
-/// The map alone, without numbers; of it the cells alone.
+/// The map alone; of it the cells alone.
 void draw_map(SvgWriter& svg, const Map& map, const Box& region);
 void draw_map_cells(SvgWriter& svg, const Map& map, const Box& region);
-/// Outline, heading and name.
-void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose, const char* name);
-/// The mission's last pose; a goal that leaves the heading free as it is, and the vehicle where the plan has it then.
-void draw_goal(SvgWriter& svg, const Problem& problem, const Plan& plan, const char* name);
+/// Outline and heading.
+void draw_vehicle(SvgWriter& svg, const Footprint& footprint, const Pose& pose);
+/// The mission's last pose; a goal that leaves the heading free as it is, and the vehicle where the plan has it then. Returns where its name belongs.
+Vec2 draw_goal(SvgWriter& svg, const Problem& problem, const Plan& plan);
+/// A letter beside a place of the vehicle; texts keep off the outline.
+void name_end(Labels& labels, Vec2 point, const std::string& name);
 /// Runs of equal direction in its colour, with arrows.
 void draw_path(SvgWriter& svg, const std::vector<Sample>& samples);
 void draw_sweep(SvgWriter& svg, const Footprint& footprint, const std::vector<Sample>& samples);
 
-void draw_waypoints(SvgWriter& svg, const Scenario& scenario);
+void draw_waypoints(SvgWriter& svg, const Scenario& scenario, Labels& labels);
 
 /// Of the i-th of several plans in one picture; no two have both alike.
 struct OverlayStroke {
@@ -63,16 +67,10 @@ std::string framed(std::string body, double width, double height, std::string_vi
 /// The same about a small picture, without its gutters.
 std::string framed_small(std::string body, const Canvas& canvas, std::string_view title);
 
-struct Label {
-  std::string text;
-  std::string style_class;
-  std::string below = {};  ///< a second, smaller line; may be empty
-};
-/// Writes beside a point, on the side that `away` points to (pixels), moved into the map where it would be cut off.
-/// With `room`, on the side nearest to that one on which least is hidden; what is written there is taken then.
-void label_beside(SvgWriter& svg, const Canvas& canvas, Vec2 point, Vec2 away, const Label& label, LabelRoom* room = nullptr);
+/// Of what is written within the map.
+Labels labels_for(const Canvas& canvas);
 /// The tightest spot of a certificate, with its clearance: of the footprint at its pose to the obstacle's point.
-void draw_tightest_spot(SvgWriter& svg, const Canvas& canvas, const Footprint& footprint, const Certificate& certificate, bool has_pose_error, bool is_proven, LabelRoom* room = nullptr);
+void draw_tightest_spot(SvgWriter& svg, Labels& labels, const Footprint& footprint, const Certificate& certificate, bool has_pose_error, bool is_proven);
 /// The footprint's point nearest to an obstacle's.
 Vec2 point_on(const Footprint& footprint, const Pose& pose, Vec2 obstacle);
 

@@ -142,7 +142,7 @@ std::string search_svg(const Problem& problem, const Plan& plan, double width) {
   SvgWriter svg{canvas.view};
   open_map(svg, canvas);
   draw_zone_areas(svg, problem.scenario().zones);
-  draw_map(svg, problem.scenario(), canvas.region, false);
+  draw_map(svg, problem.scenario(), canvas.region);
   std::map<std::pair<int, int>, std::vector<Stroke>> together;
   for (const Stroke& line : seen_of(search.lines, canvas.region, false, 2 * most_lines).lines) {
     const int born = frame_of(line.born, search.steps), gone = frame_of(line.gone, search.steps);
@@ -173,8 +173,11 @@ std::string search_svg(const Problem& problem, const Plan& plan, double width) {
     svg.raw(shown(born, holds_places(search.swarms[first]) ? born + lasting : gone, all + places(dots)));
     first = next;
   }
-  draw_vehicle(svg, problem.footprint(), problem.first_pose(), "S");
-  draw_goal(svg, problem, plan, "G");
+  Labels labels = labels_for(canvas);
+  draw_vehicle(svg, problem.footprint(), problem.first_pose());
+  name_end(labels, problem.first_pose().position(), "S");
+  name_end(labels, draw_goal(svg, problem, plan), "G");
+  labels.write(svg);
   svg.close_group();
   draw_axes(svg, canvas);
   draw_scale(svg, canvas);

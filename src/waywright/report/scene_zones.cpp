@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "waywright/core/result.hpp"
-#include "waywright/geometry/convex_parts.hpp"
+#include "waywright/geometry/pole.hpp"
+#include "waywright/report/text_size.hpp"
 
 namespace waywright {
 namespace {
@@ -23,16 +23,11 @@ const char* style_of(ZoneType type) {
   return "";
 }
 
-/// A point inside: the middle of the box where that is, else of the largest convex part.
+/// A point inside: the middle of the box where that is, else the one farthest from the outline.
 Vec2 inner_point(const Ring& area) {
   const Box box = bounding_box(area);
   const Vec2 middle = 0.5 * (box.low + box.high);
-  if (contains(area, middle)) return middle;
-  const std::vector<Ring> parts = convex_parts(area);
-  const auto largest = std::max_element(parts.begin(), parts.end(), [](const Ring& a, const Ring& b) { return signed_area(a) < signed_area(b); });
-  Vec2 sum{};
-  for (const Vec2 p : *largest) sum = sum + p;
-  return (1.0 / static_cast<double>(largest->size())) * sum;
+  return contains(area, middle) ? middle : pole_of_inaccessibility(area, 0.02 * norm(box.high - box.low));
 }
 
 /// Arrows along the direction, one after another through the zone's middle.
@@ -59,16 +54,20 @@ void draw_arrows(SvgWriter& svg, const Zone& zone) {
   if (!is_any) draw_at(middle, fits(middle) ? length : 0.6 * length);
 }
 
-std::string label_of(const Zone& zone) {
-  std::string value;
+/// What its type limits: "× 0.5", "0.4 m/s".
+std::string value_of(const Zone& zone) {
   switch (zone.type) {
     case ZoneType::forbidden:
-    case ZoneType::directed: break;
+    case ZoneType::directed: return {};
     case ZoneType::preferred:
-    case ZoneType::penalty: value = fmt::format("× {:g}", zone.factor); break;
-    case ZoneType::speed_limit: value = fmt::format("{:g} m/s", zone.speed); break;
+    case ZoneType::penalty: return fmt::format("× {:g}", zone.factor);
+    case ZoneType::speed_limit: return fmt::format("{:g} m/s", zone.speed);
   }
-  const std::string name = one_line(zone.name);
+  return {};
+}
+
+std::string label_of(const Zone& zone) {
+  const std::string name = one_line(zone.name), value = value_of(zone);
   return name.empty() || value.empty() ? name + value : name + ", " + value;
 }
 
@@ -84,49 +83,30 @@ void draw_zone_areas(SvgWriter& svg, const std::vector<Zone>& zones) {
   }
 }
 
-void draw_zone_names(SvgWriter& svg, const std::vector<Zone>& zones, const Box& region, LabelRoom& room) {
-  // Where many zones lie beside each other (lanes of a plant) not all names have room: those of one-way zones, which have arrows, give way to others.
-  std::vector<const Zone*> in_turn;
-  for (const bool are_directed : {false, true}) {
-    for (const Zone& zone : zones) {
-      if ((zone.type == ZoneType::directed) == are_directed) in_turn.push_back(&zone);
-    }
-  }
-  std::vector<Box> written;  // px
-  const auto meet = [](const Box& a, const Box& b) { return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y; };
-  const Vec2 left_top = svg.view()({region.low.x, region.high.y}), right_bottom = svg.view()({region.high.x, region.low.y});
+void name_zones(Labels& labels, const View& view, const std::vector<Zone>& zones, const Box& region) {
   constexpr std::size_t few = 8;  // one-way zones: then each name is wanted
+  constexpr double near = 60.0;   // px
   const bool are_many = std::count_if(zones.begin(), zones.end(), [](const Zone& z) { return z.type == ZoneType::directed; }) > static_cast<std::ptrdiff_t>(few);
-  /// Where it would stand, moved into the picture; empty: there is no room.
-  const auto room_for = [&](Vec2 at, const Zone& zone, const std::string& text) -> std::optional<Vec2> {
-    const Vec2 half{3.4 * static_cast<double>(text.size()) + 3.0, 8.0};
-    Vec2 middle = svg.view()(at);
-    middle.x = std::clamp(middle.x, left_top.x + half.x + 2.0, std::max(left_top.x + half.x + 2.0, right_bottom.x - half.x - 2.0));
-    const Box box{middle - half, middle + half};
-    if (box.high.x > right_bottom.x) return std::nullopt;
-    if (std::any_of(written.begin(), written.end(), [&](const Box& b) { return meet(b, box); })) return std::nullopt;
-    if (zone.type == ZoneType::directed && are_many) {
-      const Box area = bounding_box(zone.area);
-      const Vec2 size = svg.view().scale * (area.high - area.low);
-      if (2.0 * half.x > size.x + 8.0 || 2.0 * half.y > size.y + 4.0 || room.hidden_by(box) > 0.0) return std::nullopt;
-    }
-    written.push_back(box);
-    room.take(box);
-    return middle;
-  };
-  for (const Zone* const one : in_turn) {
-    const Zone& zone = *one;
-    const std::string text = label_of(zone);
-    if (text.empty()) continue;
-    // Along the upper edge, else along the lower one, where fewer paths pass than through the middle.
+  for (const Zone& zone : zones) {
+    const bool is_directed = zone.type == ZoneType::directed;
+    std::string text = label_of(zone);
     const Box box = bounding_box(zone.area);
-    const double x = 0.5 * (std::max(box.low.x, region.low.x) + std::min(box.high.x, region.high.x)), off = 12.0 / svg.view().scale;
-    Vec2 at = inner_point(zone.area);
-    for (const Vec2 edge : {Vec2{x, box.low.y + off}, Vec2{x, box.high.y - off}}) {
-      if (contains(zone.area, edge) && region.contains(edge)) at = edge;
+    const Vec2 size = view.scale * (box.high - box.low);
+    if (are_many && (text_width(text, 12.0, false) > size.x + 2.0 || size.y < 12.0)) {
+      text = value_of(zone);  // among many a long name would hide those beside it
+      if (text.empty()) continue;
     }
-    if (!region.contains(at)) continue;
-    if (const auto middle = room_for(at, zone, text)) svg.label(at, *middle - svg.view()(at) + Vec2{0.0, 4.0}, text, "note middle");
+    // Along the upper edge, else along the lower one, where fewer paths pass than through the middle.
+    const double x = 0.5 * (std::max(box.low.x, region.low.x) + std::min(box.high.x, region.high.x)), off = 12.0 / view.scale;
+    const Vec2 inner = inner_point(zone.area);
+    Labels::Wish wish{{text, "note"}, is_directed ? LabelRank::tick : LabelRank::zone, {}, is_directed && are_many ? 0.0 : Labels::anywhere, inner, {0.0, -1.0}, 10.0, is_directed ? -1.0 : near};
+    for (const Vec2 edge : {Vec2{x, box.high.y - off}, Vec2{x, box.low.y + off}}) {
+      if (contains(zone.area, edge) && region.contains(edge)) wish.middles.push_back(edge);
+    }
+    if (region.contains(inner)) wish.middles.push_back(inner);
+    if (wish.middles.empty()) continue;
+    wish.point = wish.middles.back();
+    labels.add(std::move(wish));
   }
 }
 

@@ -9,9 +9,8 @@ namespace waywright {
 
 /// Tinted or hatched by type, with an outline, and arrows along the direction of one-way zones. Before the map is drawn.
 void draw_zone_areas(SvgWriter& svg, const std::vector<Zone>& zones);
-/// Their names and values: after the map and the path, before the vehicle. What is written takes its room; one-way zones, which have arrows, are named only where
-/// nothing else is and their own area, or the paper beside it, holds the name.
-void draw_zone_names(SvgWriter& svg, const std::vector<Zone>& zones, const Box& region, LabelRoom& room);
+/// Their names and values. One-way zones, which have arrows, are named only where nothing else is and, of many, where their own area, or the paper beside it, holds the name.
+void name_zones(Labels& labels, const View& view, const std::vector<Zone>& zones, const Box& region);
 /// One entry for each type that there is.
 std::vector<LegendEntry> zone_legend(const std::vector<Zone>& zones);
 

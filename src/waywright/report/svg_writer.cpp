@@ -153,6 +153,8 @@ constexpr std::string_view rules = R"(
 .ww .load{fill:var(--back);fill-opacity:.13;stroke:var(--back);stroke-width:.9;stroke-dasharray:4 2}.ww .setdown{fill:var(--solid);fill-opacity:.75;stroke:var(--back);stroke-width:2}
 .ww .driven{fill:none;stroke:var(--soft);stroke-width:3;stroke-opacity:.6}.ww .appeared{fill:var(--bad);fill-opacity:.30;stroke:var(--bad);stroke-width:1.6}.ww .appearedline{fill:none;stroke:var(--bad);stroke-width:2.4}.ww .appeareddot{fill:var(--bad)}
 .ww .moving{fill:var(--dear);fill-opacity:.55;stroke:var(--dear);stroke-width:1.8}.ww .movinglater{fill:var(--dear);fill-opacity:.10;stroke:var(--dear);stroke-width:1.4;stroke-dasharray:4 3}.ww .movingway{fill:none;stroke:var(--dear);stroke-width:1.8;stroke-dasharray:2 4}
+.ww .movingtick{stroke:var(--dear);stroke-width:2}.ww .waytick{stroke:var(--ink);stroke-width:1.6}.ww .meeting{fill:var(--field);fill-opacity:.14;stroke:var(--field);stroke-width:1.3}.ww .meetingline{stroke:var(--field);stroke-width:1.6}.ww .meetingdot{fill:var(--field)}
+.ww .lane{fill:none;stroke:var(--soft);stroke-width:1.1;stroke-opacity:.75}.ww .lanehead{fill:var(--soft)}
 .ww .wait{fill:var(--dear);stroke:var(--ink);stroke-width:1.8}
 .ww .region{fill:var(--zone);fill-opacity:.14;stroke:var(--zone);stroke-width:1.6}
 .ww .badge{fill:var(--paper);stroke-width:3px}.ww .badgetext{font-size:12px;font-weight:700;text-anchor:middle}
@@ -160,6 +162,8 @@ constexpr std::string_view rules = R"(
 .ww .number{font-size:11px;font-weight:600;text-anchor:middle}
 .ww .tighttext{fill:var(--bad);font-size:15px;font-weight:700;paint-order:stroke;stroke:var(--paper);stroke-width:4px}
 .ww .name{font-size:15px;font-weight:700;paint-order:stroke;stroke:var(--paper);stroke-width:4px}
+.ww .meetingtext{font-size:12px;font-weight:600;paint-order:stroke;stroke:var(--paper);stroke-width:3px;fill:var(--field)}
+.ww .bandside{fill:var(--zone);fill-opacity:.13}
 .ww .tighttext.note{fill:var(--bad);font-size:12px}.ww .small{font-size:12px;fill:var(--soft)}.ww .key{font-size:14px}.ww .note{font-size:12px;paint-order:stroke;stroke:var(--paper);stroke-width:3px;fill:var(--soft)}
 .ww .bar{stroke:var(--ink);stroke-width:2}.ww .axis{stroke:var(--soft);stroke-width:1}.ww .gridline{stroke:var(--grid);stroke-width:1}
 .ww .curve{fill:none;stroke:var(--ink);stroke-width:1.8}.ww .limit{stroke:var(--bad);stroke-width:1.4;stroke-dasharray:6 4}
