@@ -131,8 +131,6 @@ double straighten(FollowedWay& way, const PlaneSpace& space, Vec2 goal, double s
   return before;
 }
 
-std::string in_short(const FollowedWay& way) { return fmt::format("{:.2f} m long, {:.3f} m clear", way.length, way.room); }
-
 void prepend(NavigationWay& found, std::string sentence) { found.text.insert(found.text.begin(), std::move(sentence)); }
 
 }  // namespace
@@ -220,23 +218,12 @@ NavigationWay way_among_stars(const NavigationOptions& options, const PlaneSpace
     return *std::move(trees);
   }
   auto trees = as_trees();
-  if (is_over()) return trees ? *std::move(trees) : by_published_map(options, space, world, start, goal, budget);
+  if (trees && (is_there(*trees) || is_over())) return *std::move(trees);
   NavigationWay published = by_published_map(options, space, world, start, goal, budget);
-  if (!trees) {
-    prepend(published, "Stars that are not convex are seen as trees where these serve; here they do not: " + trees.error() + ".");
-    return published;
-  }
-  if (!is_there(published)) {
-    trees->text.push_back(fmt::format("Through the published map from stars to discs it did not come to the goal: {}.", end_of_descent(published.way.descent, goal, space, budget)));
-    return *std::move(trees);
-  }
-  const FollowedWay &one = trees->way, &other = published.way;
-  const double longest = longer_allowed * std::min(one.length, other.length);
-  const bool takes_trees = one.length <= longest && (other.length > longest || one.room >= other.room);
-  NavigationWay& taken = takes_trees ? *trees : published;
-  const FollowedWay& left = takes_trees ? other : one;
-  taken.text.push_back(fmt::format("It is {}; {}: {}.", in_short(taken.way), takes_trees ? "through the published map from stars to discs the way would be" : "seen as trees of stars, by a map that cannot fold, the way would be", in_short(left)));
-  return std::move(taken);
+  if (trees && !is_there(published)) return *std::move(trees);
+  prepend(published, fmt::format("Seen as trees of stars it does not come to the goal: {}. So it goes through the published map from stars to discs.",
+                                 trees ? end_of_descent(trees->way.descent, goal, space, budget) : trees.error()));
+  return published;
 }
 
 }  // namespace waywright

@@ -7,10 +7,12 @@
 
 #include "waywright/core/random.hpp"
 #include "waywright/geometry/obstacle_index.hpp"
+#include "waywright/map/field_worlds.hpp"
 #include "waywright/planner/field/field_planner.hpp"
 #include "waywright/planner/field/global_local.hpp"
 #include "waywright/planner/field/harmonic_planner.hpp"
 #include "waywright/planner/field/navigation_descent.hpp"
+#include "waywright/planner/field/sphere_world_of.hpp"
 #include "waywright/planner/field/star_world_of.hpp"
 #include "waywright/planner/field/straightened_way.hpp"
 #include "waywright/planner/plane/plane_ends.hpp"
@@ -182,9 +184,17 @@ TEST(StarNavigation, KeepsToThePublishedMapAmongConvexStars) {
 }
 
 TEST(MinimumNear, IsFoundByGradientAndHessianAlone) {
-  const SphereWorld world{{{0, 0}, 5}, {{{0, 1.05}, 1}, {{0, -1.05}, 1}}};
-  const Vec2 goal{3, 0};
-  const NavigationFunction function{world, goal, 3.0};
+  // The publication's world of two discs, where κ = 5 leaves a minimum before them.
+  Scenario s;
+  s.map = field_world("NF-TWO").value().map;
+  s.vehicle.footprint.disc = 0.0;
+  s.vehicle.drive = Mecanum{0.05, 0.24, 0.15};
+  const PublishedTask task = field_world("NF-TWO").value().tasks[0];
+  s.start = make_pose(task.start, 0.0);
+  s.mission = make_pose(task.goal, 0.0);
+  const Problem problem = Problem::prepare(std::move(s)).value();
+  const auto covering = covering_world(PlaneSpace{problem}, task.start, task.goal).value();
+  const NavigationFunction function{covering.world, task.goal, 5.0};
   const auto near = [&](Vec2 q, double within) {
     return minimum_near([&](Vec2 p) { return function.slope(p); }, [&](Vec2 p) { return function.curvature(p); }, [&](Vec2 p) { return function.distance_to_rim(p); }, q, within);
   };
@@ -192,7 +202,9 @@ TEST(MinimumNear, IsFoundByGradientAndHessianAlone) {
   for (const CriticalPoint& c : critical_points(function)) {
     const auto found = near(c.at + Vec2{0.002, 0.001}, 0.05);
     EXPECT_EQ(found.has_value(), c.is_minimum);
-    if (found) EXPECT_LT(distance(*found, c.at), 1e-6);
+    if (found) {
+      EXPECT_LT(distance(*found, c.at), 1e-6);
+    }
     minima += c.is_minimum ? 1 : 0;
     EXPECT_FALSE(near(c.at + Vec2{0.3, 0.0}, 0.05));
   }
@@ -210,8 +222,13 @@ TEST(TreeMap, ALineIsFreeWhereItMeetsNoRim) {
     bool is_free = true;
     for (int i = 1; i < 2000; ++i) is_free = is_free && map.is_free(a + (i / 2000.0) * (b - a));
     met += is_free ? 0 : 1;
-    if (map.is_free(a, b)) EXPECT_TRUE(is_free);
-    else if (is_free) EXPECT_LT(std::min({point_segment_distance(l[0], a, b), point_segment_distance(l[1], a, b), point_segment_distance(l[2], a, b), point_segment_distance(l[4], a, b), point_segment_distance(l[5], a, b)}), 0.01);
+    if (map.is_free(a, b)) {
+      EXPECT_TRUE(is_free);
+    } else if (is_free) {  // it cuts a corner between two places that were looked at
+      double nearest = 1e300;
+      for (const Vec2 p : l) nearest = std::min(nearest, point_segment_distance(p, a, b));
+      EXPECT_LT(nearest, 0.01);
+    }
   }
   EXPECT_GT(met, 300);
   EXPECT_FALSE(map.is_free({1, 7}, {3, 7}));  // along an edge
@@ -273,10 +290,10 @@ TEST(FieldPlanners, KeepOneLimitOfEvaluationsAndSayWhenItIsReached) {
                                 {"discs", round, FieldPlanner{"navigation_function", discs}, true},
                                 {"potential", round, FieldPlanner{"potential_field", down}, true},
                                 {"potential, region", region, FieldPlanner{"potential_field", down}, true},
-                                {"harmonic", s, HarmonicPlanner{}, false},
+                                {"harmonic", s, HarmonicPlanner{HarmonicOptions{}}, false},
                                 {"global_local", s, GlobalLocalPlanner{GlobalLocalOptions{.global = GlobalWay::star_navigation}}, false}};
   for (const Case& c : cases) {
-    for (const std::int64_t limit : {1, 50, 300, 2000, 5000}) {
+    for (const std::int64_t limit : {1, 50, 2000, 5000}) {
       Scenario limited = c.scenario;
       limited.budget.evaluations = limit;
       const Problem problem = Problem::prepare(limited).value();
@@ -288,7 +305,9 @@ TEST(FieldPlanners, KeepOneLimitOfEvaluationsAndSayWhenItIsReached) {
         EXPECT_EQ(result.error().failure.status, Status::no_path);
         EXPECT_NE(result.error().failure.reason.find(limit == 1 ? "the limit of 1 evaluation was reached" : "the limit of 50 evaluations was reached"), std::string::npos) << c.name << ": " << result.error().failure.reason;
       }
-      if (limit == 5000 && std::string{c.name} != "star, published") EXPECT_TRUE(result) << c.name << ": " << (result ? "" : result.error().failure.reason);
+      if (limit == 5000) {
+        EXPECT_TRUE(result) << c.name << ": " << (result ? "" : result.error().failure.reason);
+      }
     }
   }
 }
