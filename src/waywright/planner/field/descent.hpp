@@ -27,13 +27,15 @@ struct DescentOptions {
   bool may_creep = false;        ///< who stays within `trapped_within`, but on a straight way, is not trapped: steps are short by intent
 };
 
-enum class DescentEnd { goal, local_minimum, oscillation, blocked, steps, canceled, timed_out };
+/// stalled: it comes no farther, though it is at no minimum.
+enum class DescentEnd { goal, local_minimum, oscillation, stalled, blocked, steps, canceled, timed_out };
 
 struct Descent {
   DescentEnd ended = DescentEnd::steps;
   std::vector<Vec2> points;  ///< from the start on; of more than `most_descent_points` steps not all
   Vec2 last{};               ///< where it ended
   std::int64_t steps = 0;
+  std::optional<Vec2> minimum;  ///< the field's, where it was looked for about `last` and found
 };
 
 /// Points are kept up to this; past it every second of all but the latest quarter is left out, so that no run fills the memory however many steps it takes.

@@ -54,9 +54,9 @@ PlannerDescription navigation_description() {
 
 PlannerDescription star_description() {
   const FieldPlannerOptions defaults;
-  return described("star_navigation", "down the navigation function of a world of star-shaped obstacles, seen through a smooth map to discs, as published; polygons of any shape as trees of stars",
+  return described("star_navigation", "down the navigation function of a world of star-shaped obstacles, seen through a smooth map to discs, as published; polygons that are not convex as trees of stars",
                    {{.name = "kappa", .default_value = 0.0, .summary = "0: of the whole numbers to 20 that are shown to leave no minimum but the goal in the model, one whose way is short and keeps away", .low = 0, .high = 1e4},
-                    {.name = "lambda", .default_value = 0.0, .summary = "of the map: the greater, the nearer to its rim each star bends it; 0: the least power of ten that is shown not to fold; trees of stars need none", .low = 0, .high = 1e15},
+                    {.name = "lambda", .default_value = 0.0, .summary = "of the published map, which is taken first where this is told: the greater, the nearer to its rim each star bends it; 0: among convex polygons the least power of ten that is shown not to fold, among others trees of stars, which need none", .low = 0, .high = 1e15},
                     {.name = "step", .default_value = defaults.step, .summary = "length of a step, in greatest radii of the boundary", .low = 1e-6, .high = 0.1}},
                    [](const Parameters& p) {
                      FieldPlannerOptions o;

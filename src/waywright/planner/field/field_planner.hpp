@@ -19,7 +19,7 @@ struct FieldPlannerOptions {
   PotentialOptions potential{};
   DescentOptions descent{};
   double kappa = 0.0;   ///< of the navigation function; 0: of those that are shown to lead to the goal the one whose way, at most a tenth longer than the shortest, keeps farthest away
-  double lambda = 0.0;  ///< of the map from stars to discs; 0: the least that is shown not to fold
+  double lambda = 0.0;  ///< of the published map from stars to discs, which is taken first where this is told; 0: the least that is shown not to fold, where that map is taken
   double step = 0.002;  ///< of its steps, in radii of the outer disc
   std::int64_t steps = 200'000;  ///< at most
 };

@@ -161,6 +161,7 @@ class GlobalLocalPlanner::Ready {
  private:
   /// From where the drive is to its end, past what stands then.
   std::optional<std::vector<Vec2>> planned_anew(const GlobalLocalOptions& options, const FreeState& at, const std::vector<std::size_t>& standing, const Movers& movers, Vec2 goal, Budget& budget) const {
+    if (budget.evaluations_left() == std::int64_t{0}) return std::nullopt;
     const Problem& problem = space_.problem();
     Scenario scenario = problem.scenario();
     scenario.moving.clear();

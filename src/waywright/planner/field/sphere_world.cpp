@@ -149,9 +149,9 @@ bool leads_to_goal(const std::vector<CriticalPoint>& points, const SphereWorld& 
   return points.size() == world.obstacles.size() && std::none_of(points.begin(), points.end(), [](const CriticalPoint& c) { return c.is_minimum; });
 }
 
-std::vector<double> kappas_that_lead_to_goal(const SphereWorld& world, Vec2 goal, const std::function<bool()>& stops) {
+std::vector<double> kappas_that_lead_to_goal(const SphereWorld& world, Vec2 goal, const std::function<bool()>& stops, std::size_t most) {
   std::vector<double> all;
-  for (int kappa = least_kappa; kappa <= most_kappa; ++kappa) {
+  for (int kappa = least_kappa; kappa <= most_kappa && all.size() < most; ++kappa) {
     const bool leads = leads_to_goal(critical_points({world, goal, static_cast<double>(kappa)}, usual_side, stops), world);
     if (stops && stops()) break;
     if (leads) all.push_back(kappa);
@@ -202,6 +202,23 @@ std::optional<Vec2> way_off(const SymmetricMatrix& m) {
   const Vec2 row = squared_norm(first) > squared_norm(second) ? first : second;
   if (row == Vec2{}) return Vec2{1.0, 0.0};
   return (1.0 / norm(row)) * left_of(row);
+}
+
+std::optional<Vec2> minimum_near(const std::function<Vec2(Vec2)>& slope, const std::function<SymmetricMatrix(Vec2)>& curvature, const std::function<double(Vec2)>& rim, Vec2 from, double within) {
+  constexpr double vanished = 1e-6;  // of a step's length over `within`
+  Vec2 q = from;
+  for (int k = 0; k < newton_steps; ++k) {
+    const Vec2 g = slope(q);
+    const SymmetricMatrix h = curvature(q);
+    const double det = h.determinant();
+    if (!std::isfinite(det) || !(std::abs(det) > 0.0)) return std::nullopt;
+    const Vec2 step{(h.xy * g.y - h.yy * g.x) / det, (h.xy * g.x - h.xx * g.y) / det};
+    if (!(norm(step) <= 2.0 * within)) return std::nullopt;
+    if (norm(step) < vanished * within) return det > 0.0 && h.xx > 0.0 ? std::optional{q} : std::nullopt;
+    q = q + step;
+    if (!(distance(q, from) <= within) || !(rim(q) > 0.0)) return std::nullopt;
+  }
+  return std::nullopt;
 }
 
 }  // namespace waywright

@@ -79,10 +79,15 @@ bool leads_to_goal(const std::vector<CriticalPoint>& points, const SphereWorld& 
 /// goal's 1 among them, and 1 for each disc in it. Empty where the circle leaves the free space or runs into a critical point.
 std::optional<int> turns_around(const NavigationFunction& function, Vec2 centre, double radius);
 
-/// Those of 2, 3 … 20 for which that is shown. (They are no range: 4 may do and 5 not.) Where none is, the first two of 24, 32, 48, 64 … 4096 for which it is.
-std::vector<double> kappas_that_lead_to_goal(const SphereWorld& world, Vec2 goal, const std::function<bool()>& stops = {});
+/// Those of 2, 3 … 20 for which that is shown, the first `most` of them. (They are no range: 4 may do and 5 not.) Where none is, the first two of 24, 32, 48, 64 … 4096 for
+/// which it is.
+std::vector<double> kappas_that_lead_to_goal(const SphereWorld& world, Vec2 goal, const std::function<bool()>& stops = {}, std::size_t most = 64);
 
 /// The direction in which the field leaves a saddle: that of least curvature, a unit vector, one of the two. Empty where the place is no saddle: no direction leads down.
 std::optional<Vec2> way_off(const SymmetricMatrix& curvature);
+
+/// Newton's method from a place, by gradient and Hessian: the minimum that it comes to no farther off than `within` (m), at a place of positive `rim`, where the next step
+/// is shorter than 10⁻⁶ of that and the curvature positive in every direction. Empty: there is none that it finds.
+std::optional<Vec2> minimum_near(const std::function<Vec2(Vec2)>& slope, const std::function<SymmetricMatrix(Vec2)>& curvature, const std::function<double(Vec2)>& rim, Vec2 from, double within);
 
 }  // namespace waywright

@@ -99,15 +99,22 @@ tl::expected<TreeMap, std::string> trees_with(const PlaneSpace& space, Vec2 star
   return TreeMap::of(region->outer, region->holes, stops);
 }
 
-double distance_to_polygons(const PlaneSpace& space, Vec2 q) {
+std::optional<NearestPolygon> nearest_polygon(const PlaneSpace& space, Vec2 q) {
   const Map& map = space.problem().world().map();
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto* rings : {&map.boundaries, &map.obstacles}) {
-    for (const Ring& ring : *rings) {
-      for (std::size_t i = 0; i < ring.size(); ++i) least = std::min(least, point_segment_distance(q, ring[i], ring[(i + 1) % ring.size()]));
-    }
-  }
-  return least - space.needed();
+  std::optional<NearestPolygon> best;
+  const auto look = [&](const Ring& ring, std::optional<std::size_t> obstacle) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < ring.size(); ++i) least = std::min(least, point_segment_distance(q, ring[i], ring[(i + 1) % ring.size()]));
+    if (!best || least - space.needed() < best->distance) best = NearestPolygon{least - space.needed(), obstacle};
+  };
+  for (const Ring& ring : map.boundaries) look(ring, std::nullopt);
+  for (std::size_t i = 0; i < map.obstacles.size(); ++i) look(map.obstacles[i], i);
+  return best;
+}
+
+double distance_to_polygons(const PlaneSpace& space, Vec2 q) {
+  const auto nearest = nearest_polygon(space, q);
+  return nearest ? nearest->distance : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace waywright

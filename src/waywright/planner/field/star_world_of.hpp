@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -19,6 +20,13 @@ using StarsOrTrees = std::variant<StarWorld, TreeMap>;
 tl::expected<StarsOrTrees, std::string> stars_or_trees(const PlaneSpace& space, Vec2 start, Vec2 goal, const std::function<bool()>& stops = {});
 /// Trees alone, with all grown by `spare` metres more.
 tl::expected<TreeMap, std::string> trees_with(const PlaneSpace& space, Vec2 start, Vec2 goal, double spare, const std::function<bool()>& stops = {});
+
+/// The obstacle (by its number in the map; none: the boundary) whose edge is nearest to a place, and m to it less what all was grown by. Empty of a map without polygons.
+struct NearestPolygon {
+  double distance = 0.0;
+  std::optional<std::size_t> obstacle;
+};
+std::optional<NearestPolygon> nearest_polygon(const PlaneSpace& space, Vec2 q);
 
 /// m, from a place to the nearest edge of the map's polygons, less what they were grown by; of the boundary too.
 double distance_to_polygons(const PlaneSpace& space, Vec2 q);

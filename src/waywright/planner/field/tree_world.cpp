@@ -83,6 +83,22 @@ bool TreeMap::is_free(Vec2 q) const {
   return std::none_of(rims_.begin() + 1, rims_.end(), [&](const Ring& ring) { return contains(ring, q); });
 }
 
+bool TreeMap::is_free(Vec2 from, Vec2 to) const {
+  const Vec2 along = to - from;
+  const auto meets = [&](Vec2 a, Vec2 b) {
+    const double side_a = cross(along, a - from), side_b = cross(along, b - from), before = cross(b - a, from - a), after = cross(b - a, to - a);
+    return ((side_a >= 0.0) != (side_b >= 0.0) || side_a == 0.0 || side_b == 0.0) && ((before >= 0.0) != (after >= 0.0) || before == 0.0 || after == 0.0) &&
+           std::max(std::min(a.x, b.x), std::min(from.x, to.x)) <= std::min(std::max(a.x, b.x), std::max(from.x, to.x)) &&
+           std::max(std::min(a.y, b.y), std::min(from.y, to.y)) <= std::min(std::max(a.y, b.y), std::max(from.y, to.y));
+  };
+  return std::none_of(rims_.begin(), rims_.end(), [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (meets(ring[i], ring[(i + 1) % ring.size()])) return true;
+    }
+    return false;
+  });
+}
+
 double TreeMap::distance_to_rim(Vec2 q) const {
   if (!is_free(q)) return 0.0;
   double least = std::numeric_limits<double>::infinity();
@@ -105,7 +121,7 @@ Vec2 TreeNavigation::next(Vec2 q, double longest) const {
   double step = std::min({model_step * function_.world().outside.radius, model_share * rim, distance(at, function_.goal())});
   for (int k = 0; k < halvings; ++k, step *= 0.5) {
     const Vec2 to = map_->back(at - (step / steep) * g);
-    if (distance(q, to) <= longest) return to;
+    if (distance(q, to) <= longest && map_->is_free(q, to)) return to;
   }
   return q;
 }
@@ -116,6 +132,12 @@ std::optional<Vec2> TreeNavigation::way_off(Vec2 q) const {
   if (!way) return std::nullopt;
   const Vec2 back{j.yy * way->x - j.xy * way->y, j.xx * way->y - j.yx * way->x};
   return (1.0 / norm(back)) * back;
+}
+
+std::optional<Vec2> TreeNavigation::minimum_near(Vec2 q, double within) const {
+  const auto at = waywright::minimum_near([&](Vec2 p) { return function_.slope(p); }, [&](Vec2 p) { return function_.curvature(p); }, [&](Vec2 p) { return function_.distance_to_rim(p); }, map_->at(q).at, within);
+  if (!at) return std::nullopt;
+  return map_->back(*at);
 }
 
 }  // namespace waywright

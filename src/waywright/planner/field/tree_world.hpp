@@ -29,6 +29,8 @@ class TreeMap {
   Vec2 back(Vec2 q) const;
   /// Inside the boundary and outside of the obstacles.
   bool is_free(Vec2 q) const;
+  /// Does the line between two free places meet no rim?
+  bool is_free(Vec2 from, Vec2 to) const;
   /// m, to the nearest rim; 0 where it is not free.
   double distance_to_rim(Vec2 q) const;
 
@@ -49,10 +51,13 @@ class TreeNavigation {
   double value(Vec2 q) const { return map_->is_free(q) ? function_.value(map_->at(q).at) : 1.0; }
   /// Jᵀ·slope of the model's.
   Vec2 slope(Vec2 q) const;
-  /// Where the model's way goes on from there, seen back: it has no bends where the map has them. No longer than `longest`.
+  /// Where the model's way goes on from there, seen back: it has no bends where the map has them. No longer than `longest`, and along a line that is
+  /// free; the place itself where nothing leads on.
   Vec2 next(Vec2 q, double longest) const;
   /// The direction in which the model's slope leaves a saddle, seen back; empty where the place is near none.
   std::optional<Vec2> way_off(Vec2 q) const;
+  /// The model's minimum, seen back, that Newton's method comes to in the model no farther off than `within` (m) is there.
+  std::optional<Vec2> minimum_near(Vec2 q, double within) const;
 
  private:
   const TreeMap* map_;

@@ -41,7 +41,7 @@ std::optional<PlaneEnd> end_at(const PlaneSpace& space, const Pose& pose, bool i
 }
 
 /// The runs at the ends without turning, as they were tested; the heading goes from the one to the other between them.
-Path slid_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal) {
+Path slid_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal, double beyond) {
   const Problem& problem = space.problem();
   Path path;
   const auto run = [&](Vec2 from, Vec2 to, double heading) {
@@ -51,7 +51,7 @@ Path slid_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector
   const bool is_free = problem.free_goal() != nullptr;
   const double turn = is_free ? 0.0 : shorter_turn(from.heading, problem.goal().heading);
   if (start.run != 0) run(from.position(), start.at, from.heading);
-  for (Piece& piece : driven_way(space, points, from.heading, turn).pieces) path.pieces.push_back(std::move(piece));
+  for (Piece& piece : driven_way(space, points, from.heading, turn, beyond).pieces) path.pieces.push_back(std::move(piece));
   if (goal.run != 0) run(goal.at, problem.goal().position(), is_free ? from.heading : problem.goal().heading);
   return path;
 }
@@ -69,9 +69,9 @@ bool disc_serves(const PlaneSpace& space) {
   return start && goal && space.may_join(start->at, goal->at);
 }
 
-Path plane_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal) {
+Path plane_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal, double beyond) {
   const Problem& problem = space.problem();
-  if (problem.vehicle().moves_any_way()) return slid_path(space, start, points, goal);
+  if (problem.vehicle().moves_any_way()) return slid_path(space, start, points, goal, beyond);
   std::vector<Action> actions;
   if (start.run != 0) actions.push_back({Action::Kind::drive, 0.0, start.at, start.run});
   for (std::size_t i = 1; i < points.size(); ++i) actions.push_back({Action::Kind::drive, 0.0, points[i], 1});
@@ -79,10 +79,10 @@ Path plane_path(const PlaneSpace& space, const PlaneEnd& start, const std::vecto
   return problem.free_goal() != nullptr ? path_along(problem.start(), actions) : path_of(problem.start(), actions, problem.goal());
 }
 
-Path rounded_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal) {
+Path rounded_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal, double beyond) {
   const Problem& problem = space.problem();
-  if (problem.vehicle().moves_any_way() || start.run != 0 || goal.run != 0) return plane_path(space, start, points, goal);
-  Path path = driven_way(space, points, problem.start().heading, problem.free_goal() != nullptr ? 0.0 : shorter_turn(problem.start().heading, problem.goal().heading));
+  if (problem.vehicle().moves_any_way() || start.run != 0 || goal.run != 0) return plane_path(space, start, points, goal, beyond);
+  Path path = driven_way(space, points, problem.start().heading, problem.free_goal() != nullptr ? 0.0 : shorter_turn(problem.start().heading, problem.goal().heading), beyond);
   const bool ends_in_turn = !path.pieces.empty() && path.pieces.back().direction == 0 && path.pieces.size() > 1;
   if (problem.free_goal() != nullptr && ends_in_turn) path.pieces.pop_back();  // as the last drive has it
   return path;

@@ -29,12 +29,12 @@ double longest_run(const PlaneSpace& space);
 bool disc_serves(const PlaneSpace& space);
 
 /// A path along corners: lines with turns on the spot; of a vehicle that moves any way lines and arcs (see rounded_way.hpp) on which its heading goes evenly from the
-/// start's to the goal's. `points` go from start.at to goal.at (where the goal's heading is free, to where the way ends).
-Path plane_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal);
+/// start's to the goal's. `points` go from start.at to goal.at (where the goal's heading is free, to where the way ends); arcs keep `beyond` m more than is needed.
+Path plane_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal, double beyond = 0.0);
 
 /// The same with corners rounded by arcs where there is room, for ways with many of them. (Where a run leads from the start or into the goal, a vehicle that does not
 /// move any way drives corners.)
-Path rounded_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal);
+Path rounded_path(const PlaneSpace& space, const PlaneEnd& start, const std::vector<Vec2>& points, const PlaneEnd& goal, double beyond = 0.0);
 
 /// Why `name` plans nothing at all here: a vehicle that cannot turn on the spot, nothing to drive. Empty where it can go on.
 std::optional<std::string> nothing_to_plan(const Problem& problem, std::string_view name);

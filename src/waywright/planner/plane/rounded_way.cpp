@@ -20,7 +20,7 @@ std::vector<Vec2> apart(const std::vector<Vec2>& points) {
   return all;
 }
 
-bool is_arc_free(const PlaneSpace& space, Vec2 from, Vec2 along, double radius, double angle) {
+bool is_arc_free(const PlaneSpace& space, Vec2 from, Vec2 along, double radius, double angle, double beyond) {
   const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / chord_angle)));
   const double step = angle / chords, side = angle > 0.0 ? 1.0 : -1.0;
   const double bow = radius * (1.0 - sin_cos(0.5 * step).cos);
@@ -30,7 +30,7 @@ bool is_arc_free(const PlaneSpace& space, Vec2 from, Vec2 along, double radius, 
   for (int i = 1; i <= chords; ++i) {
     const SinCos turned = sin_cos(step * i);
     const Vec2 after = middle + Vec2{turned.cos * spoke.x - turned.sin * spoke.y, turned.sin * spoke.x + turned.cos * spoke.y};
-    if (!space.is_free(before, after, space.needed() + bow)) return false;
+    if (!space.is_free(before, after, space.needed() + beyond + bow)) return false;
     before = after;
   }
   return true;
@@ -41,7 +41,7 @@ struct Cut {
   double radius = 0.0, angle = 0.0;
 };
 
-Cut cut_at(const PlaneSpace& space, Vec2 before, Vec2 corner, Vec2 after) {
+Cut cut_at(const PlaneSpace& space, Vec2 before, Vec2 corner, Vec2 after, double beyond) {
   const Vec2 in = (1.0 / distance(before, corner)) * (corner - before), out = (1.0 / distance(corner, after)) * (after - corner);
   const double angle = arc_tangent(cross(in, out), dot(in, out));
   if (std::abs(angle) < no_turn) return {};
@@ -51,7 +51,7 @@ Cut cut_at(const PlaneSpace& space, Vec2 before, Vec2 corner, Vec2 after) {
   for (int k = 0; k < halvings; ++k, taken *= 0.5) {
     const double radius = taken * half.cos / half.sin;
     if (radius < least) break;
-    if (is_arc_free(space, corner - taken * in, in, radius, angle)) return {taken, radius, angle};
+    if (is_arc_free(space, corner - taken * in, in, radius, angle, beyond)) return {taken, radius, angle};
   }
   return {};
 }
@@ -64,12 +64,12 @@ double length_of(const std::vector<Curve>& curves) {
 
 }  // namespace
 
-std::vector<Curve> rounded_way(const PlaneSpace& space, const std::vector<Vec2>& points) {
+std::vector<Curve> rounded_way(const PlaneSpace& space, const std::vector<Vec2>& points, double beyond) {
   const std::vector<Vec2> way = apart(points);
   std::vector<Curve> curves;
   Vec2 at = way.front();
   for (std::size_t i = 1; i < way.size(); ++i) {
-    const Cut cut = i + 1 < way.size() ? cut_at(space, way[i - 1], way[i], way[i + 1]) : Cut{};
+    const Cut cut = i + 1 < way.size() ? cut_at(space, way[i - 1], way[i], way[i + 1], beyond) : Cut{};
     const Vec2 in = (1.0 / distance(way[i - 1], way[i])) * (way[i] - way[i - 1]);
     const Vec2 end = cut.taken > 0.0 ? way[i] - cut.taken * in : way[i];
     if (distance(at, end) > same_place) curves.push_back(Line{at, end});
@@ -82,9 +82,9 @@ std::vector<Curve> rounded_way(const PlaneSpace& space, const std::vector<Vec2>&
   return curves;
 }
 
-Path driven_way(const PlaneSpace& space, const std::vector<Vec2>& points, double heading, double turn) {
+Path driven_way(const PlaneSpace& space, const std::vector<Vec2>& points, double heading, double turn, double beyond) {
   Path path;
-  const std::vector<Curve> curves = rounded_way(space, points);
+  const std::vector<Curve> curves = rounded_way(space, points, beyond);
   const auto turn_by = [&](Vec2 at, double angle) {
     if (std::abs(angle) > no_turn) path.pieces.push_back({Turn{at, heading, angle}, 0, {}});
     heading = wrap(heading + angle);

@@ -12,12 +12,12 @@ namespace waywright {
 /// so much is free; where none of at least a centimetre is, or the
 /// vehicle cannot drive it, it stays a corner. Points nearer than a nanometre are one.
 ///
-/// Law: every place of the disc on it is free where the lines along `points` are.
-std::vector<Curve> rounded_way(const PlaneSpace& space, const std::vector<Vec2>& points);
+/// Law: every place of the disc on it is free where the lines along `points` are; arcs keep `beyond` (m, ≥ 0) more than what is needed.
+std::vector<Curve> rounded_way(const PlaneSpace& space, const std::vector<Vec2>& points, double beyond = 0.0);
 
 /// The same way driven from `heading`: by a vehicle that moves any way with its heading going evenly to heading + turn, by another facing along, with turns on the spot
 /// at the ends and at corners. Of a way without length a turn on the spot.
-Path driven_way(const PlaneSpace& space, const std::vector<Vec2>& points, double heading, double turn);
+Path driven_way(const PlaneSpace& space, const std::vector<Vec2>& points, double heading, double turn, double beyond = 0.0);
 
 /// Fewer points: of a run of them that stays within `tolerance` m of the line between its ends the ends alone, where that line is free. The same ends.
 std::vector<Vec2> thinned_way(const PlaneSpace& space, const std::vector<Vec2>& points, double tolerance);
