@@ -57,7 +57,7 @@ PlanningFailure failed(const Told& told, const Problem& problem, const Path& nea
         told.planner == SamplingPlanner::rrt_connect
             ? fmt::format("{} from the start and {} from the goal", counted(search.start_states, "state reached", "states reached"), search.goal_states)
             : states_told(told);
-    const std::string place = told.steering.has_headings() ? fmt::format("({:.3f}, {:.3f}, {:.4f} rad)", reached.x, reached.y, reached.heading) : fmt::format("({:.3f}, {:.3f})", reached.x, reached.y);
+    const std::string place = told.steering.has_headings() ? fmt::format("({:.3f}, {:.3f}, {:.4f} rad)", reached.x, reached.y, wrap(reached.heading)) : fmt::format("({:.3f}, {:.3f})", reached.x, reached.y);
     reason = fmt::format(
         "{} found no way from start to goal before {}: {} footprint placements in {} tested, {}; nearest to the goal it came to {}, where {:.2f} m of {} are missing", label(told.planner),
         what_ended(told.test, told.budget), told.test.placements(), counted(told.test.motions(), "motion", "motions"), states, place, search.missing, told.steering.piece_word());

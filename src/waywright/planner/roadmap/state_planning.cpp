@@ -108,7 +108,7 @@ Alternative StatePlanning::alternative(std::string name, const Path& path, bool 
 
 PlanningFailure StatePlanning::not_found(const StateQuery& query, const StateAnswer& answer, Budget& budget) const {
   const Pose reached = answer.nearest.empty() ? query.start : answer.nearest.back();
-  std::string reason = fmt::format("{}; nearest to the goal it came to ({:.3f}, {:.3f}, {:.4f} rad), where {:.2f} m of {} are missing", answer.missed, reached.x, reached.y, reached.heading,
+  std::string reason = fmt::format("{}; nearest to the goal it came to ({:.3f}, {:.3f}, {:.4f} rad), where {:.2f} m of {} are missing", answer.missed, reached.x, reached.y, wrap(reached.heading),
                                    query.steering.distance(reached, query.goal), query.steering.piece_word());
   const Blocker blocker = query.test.worst_blocker();
   if (!blocker.name.empty()) reason += fmt::format("; {} stood in the way of {:.0f} % of the blocked placements", blocker.name, 100.0 * blocker.share);
