@@ -83,8 +83,8 @@ std::vector<std::string> explain(const Told& told, const Path& path, std::option
   if (before) metres += fmt::format(", {:.2f} m before it was shortened", *before);
   const std::string with = ", with " + changes_words(counts, !told.steering.is_curve());
   const std::int64_t states = told.search.start_states + told.search.goal_states;
-  const std::string reached = told.planner == SamplingPlanner::rrt_connect ? fmt::format("{} reached from start and goal", counted(states, "state was", "states were"))
-                              : states == 0                                ? std::string{"the motion from start to goal was free"}
+  const std::string reached = states == 0                                  ? std::string{"the motion from start to goal was free"}
+                              : told.planner == SamplingPlanner::rrt_connect ? fmt::format("{} reached from start and goal", counted(states, "state was", "states were"))
                                                                            : fmt::format("it ended with {}", states_told(told));
   text.push_back(metres + with +
                  fmt::format("; {} and {} were tested, and {}.", counted(told.test.placements(), "footprint placement", "footprint placements"),
