@@ -197,6 +197,12 @@ TEST_F(CommandLine, ReplanAmongWhatHasAppeared) {
   EXPECT_EQ(plan["scenario"]["map"]["polygons"]["obstacles"].size(), 7U);
   EXPECT_EQ(Json::parse(run("replan o/plan.json --at 0 --json --obstacles " + example("obstacles/box.json")).out)["status"], "solved");
 
+  // As the docs have it: it stops for somebody who crosses.
+  ASSERT_EQ(run("plan " + example("rrt_woa/wheelchair_2.json") + " --planner rrt_star -o old").status, 0);
+  const Outcome crossing = run("replan old/plan.json --after 8 --obstacles " + example("obstacles/person.json") + " -o new");
+  EXPECT_EQ(crossing.status, 0) << crossing.err;
+  EXPECT_NE(crossing.out.find("the vehicle stops for person, which comes into its way"), std::string::npos) << crossing.out;
+
   const std::string with_box = " --obstacles " + example("obstacles/box.json");
   refused(run("replan o/plan.json" + with_box), {"--at", "--after"});
   refused(run("replan o/plan.json --at 1 --after 1" + with_box), {"--after", "one of the two"});

@@ -106,6 +106,73 @@ TEST(StatePlanners, AutoTakesTheSpaceThatServes) {
   }
 }
 
+/// The disc around the vehicle takes 1.61 m, and gets through if at all where few samples fall; the vehicle is 0.8 m wide.
+Scenario among_splinters() {
+  Scenario s;
+  s.vehicle.footprint.polygon = rectangle({-0.7, -0.4}, {0.5, 0.4});
+  s.vehicle.drive = Differential{0.6};
+  s.map.boundaries = {rectangle({0, 0}, {12, 8})};
+  s.map.obstacles = {{{6.71, 5.46}, {6.55, 5.53}, {6.34, 5.37}, {6.34, 5.36}, {6.42, 5.15}, {6.72, 5.2}, {6.75, 5.25}},
+                     {{6.24, 4.68}, {5.62, 4.5}, {6.37, 3.87}},
+                     {{5.29, 5.46}, {5.21, 5.64}, {4.84, 5.28}},
+                     {{8.46, 2.37}, {8.35, 2.42}, {7.94, 2.4}},
+                     {{8.02, 5.12}, {7.98, 4.03}, {8.65, 4.21}, {8.76, 4.45}},
+                     {{4.7, 1.84}, {4.59, 1.42}, {4.6, 1.41}, {4.97, 1.3}},
+                     {{7.59, 1.11}, {6.89, 1.41}, {6.58, 0.99}, {6.95, 0.42}},
+                     {{9.38, 0.68}, {9.37, 0.71}, {8.48, 1.05}, {8.36, 0.39}, {8.96, 0.13}},
+                     {{2.81, 1.92}, {2.56, 1.73}, {2.56, 1.66}, {2.91, 1.45}},
+                     {{8.54, 2.19}, {8.51, 2.26}, {8.3, 1.89}, {8.37, 1.9}, {8.46, 1.94}, {8.53, 2.05}},
+                     {{4.59, 4.78}, {4.58, 4.78}, {4.39, 4.38}, {5.01, 4.32}},
+                     {{4.08, 1.25}, {3.48, 1.46}, {3.17, 1.06}, {3.56, 0.53}},
+                     {{6.12, 6.58}, {6.16, 6.34}, {6.54, 6.24}},
+                     {{5.38, 1.36}, {4.98, 1.31}, {5.76, 0.8}}};
+  s.start = {1.0, 1.0, 0.3};
+  s.mission = Pose{11, 7, 1.2};
+  return s;
+}
+
+TEST(StatePlanners, TheFootprintItselfIsTriedWhereTheDiscFindsNoWay) {
+  const Plan plan = planned(among_splinters(), "prm", {});
+  ASSERT_EQ(plan.status, Status::solved) << plan.reason;
+  EXPECT_TRUE(verify(plan).value().holds);
+  ASSERT_GE(plan.explanation.size(), 2U);
+  EXPECT_NE(plan.explanation[1].find("The footprint itself was searched for in the space \"turns\""), std::string::npos) << plan.explanation[1];
+  EXPECT_NE(plan.explanation[1].find("the disc around the footprint"), std::string::npos) << plan.explanation[1];
+  // Asked for the disc it stays with it, and says who would not.
+  const Plan disc = planned(among_splinters(), "prm", {{"space", std::string{"plane"}}});
+  EXPECT_EQ(disc.status, Status::no_path);
+  EXPECT_NE(disc.reason.find("plan for the footprint itself"), std::string::npos) << disc.reason;
+  // Of a budget of samples it gets what the disc left: nothing.
+  Scenario limited = among_splinters();
+  limited.budget.samples = 1000;
+  const Plan spent = planned(limited, "prm", {});
+  EXPECT_EQ(spent.status, Status::no_path);
+  EXPECT_NE(spent.reason.find("plan for the footprint itself"), std::string::npos) << spent.reason;
+  EXPECT_EQ(spent.reason.find("before that"), std::string::npos) << spent.reason;
+  // Where neither finds one both are told.
+  const Plan neither = planned(among_splinters(), "rrt_star", {{"iterations", 20.0}});
+  EXPECT_EQ(neither.status, Status::no_path);
+  EXPECT_NE(neither.reason.find("before that, for the disc around the footprint, RRT* found no way"), std::string::npos) << neither.reason;
+  for (const char* name : {"visibility_graph", "voronoi"}) {
+    Scenario gap = among_splinters();
+    gap.map.obstacles = {rectangle({5.5, 0}, {6.5, 3.4}), rectangle({5.5, 4.6}, {6.5, 8})};  // 1.2 m
+    const Plan shut = planned(gap, name, {});
+    EXPECT_EQ(shut.status, Status::no_path);
+    EXPECT_NE(shut.reason.find("prm and rrt_star with the space \"turns\" plan for the footprint itself"), std::string::npos) << shut.reason;
+    EXPECT_NE(shut.reason.find("0.0000 m and 0.2 mm more for the proof"), std::string::npos) << shut.reason;
+  }
+}
+
+TEST(StatePlanners, SayOfABudgetTheNumberThatWasGiven) {
+  Scenario s = among_splinters();
+  s.budget.evaluations = 10;
+  const Plan whales = planned(s, "rrt_star_woa_global", {});
+  EXPECT_NE(whales.reason.find("5 of the 10 evaluations of its budget were used, the others being kept for moving the corners of a way"), std::string::npos) << whales.reason;
+  const Plan tree = planned(s, "rrt_star", {{"space", std::string{"turns"}}});
+  EXPECT_NE(tree.reason.find("9 of the 10 motions of its budget were tested, the others being kept for shortening a way"), std::string::npos) << tree.reason;
+  EXPECT_NE(planned(s, "rrt_star", {{"space", std::string{"plane"}}}).reason.find("all 10 evaluations of its budget were used"), std::string::npos);
+}
+
 TEST(StatePlanners, RefusalsAreThoseOfTheLibrarysPlanners) {
   Scenario free = example("goal_pose.json"), steered = free;
   steered.vehicle.drive = Tricycle{0.8, 1.0};

@@ -36,6 +36,7 @@ PlannerDescription whale_description() {
       {.name = "most_triplets", .default_value = whole(o.most_triplets), .summary = "commands of a segment, at most", .low = 1, .high = 16, .whole = true},
       {.name = "backtracks", .default_value = whole(o.backtracks), .summary = "times that segments before one that fails are searched again", .low = 0, .high = 10'000, .whole = true},
       {.name = "tolerance", .default_value = o.tolerance, .summary = "of a segment's end", .unit = "m", .low = 1e-4, .high = largest_miss},
+      {.name = "heading_tolerance", .default_value = o.heading_tolerance, .summary = "of a segment's end", .unit = "rad", .low = 1e-4, .high = pi},
       {.name = "aim", .default_value = o.aim, .summary = "of the same, until which searches go on", .unit = "m", .low = 1e-4, .high = largest_miss},
       {.name = "heading_aim", .default_value = o.heading_aim, .summary = "likewise", .unit = "rad", .low = 1e-4, .high = pi},
       {.name = "heading_weight", .default_value = o.heading_weight, .summary = "w_phi", .unit = "m/rad", .low = 0, .high = 100},
@@ -66,6 +67,7 @@ WhaleControlOptions whale_options(const Parameters& p) {
   o.most_triplets = whole_number_of(p, "most_triplets");
   o.backtracks = whole_number_of(p, "backtracks");
   o.tolerance = number_of(p, "tolerance");
+  o.heading_tolerance = number_of(p, "heading_tolerance");
   o.aim = number_of(p, "aim");
   o.heading_aim = number_of(p, "heading_aim");
   o.speed_weight = number_of(p, "speed_weight");
@@ -218,6 +220,18 @@ Made exact(const Plan& plan, double period, const WheelMotors& motors, double sl
   return made;
 }
 
+/// Which segments miss their ends, and by what they may.
+std::string arrival_words(const WhaleControls& c, double tolerance, double heading_tolerance) {
+  const std::string limits = fmt::format("under {:g} m and {:g} rad", tolerance, heading_tolerance);
+  std::size_t off = 0, turned = 0;
+  for (const ControlSegment& segment : c.segments) {
+    off += segment.end.position < tolerance ? 0 : 1;
+    turned += segment.end.heading < heading_tolerance ? 0 : 1;
+  }
+  if (off + turned == 0) return fmt::format("yes, every segment ends {} off", limits);
+  return fmt::format("no: of {} segments {} end that far off in position and {} in heading; {} is asked for", c.segments.size(), off, turned, limits);
+}
+
 Made whale(const Problem& problem, const Plan& plan, double period, const Parameters& parameters, std::uint64_t seed) {
   const WhaleControls c = whale_controls(problem, plan, whale_options(parameters), period, seed);
   Made made{controls_json(plan, c, parameters, seed), {}, c.rows, {}, c.collision_free && c.arrives && c.end.position < largest_miss};
@@ -230,7 +244,8 @@ Made whale(const Problem& problem, const Plan& plan, double period, const Parame
   made.text = line("method", fmt::format("woa, simulated in steps of {:g} s", period)) +
               line("segments", fmt::format("{}, {} triplets, {} evaluations", c.segments.size(), triplets, c.evaluations)) +
               line("time", fmt::format("{:.2f} s (exact: {:.2f} s)", c.rows.back().t, exact_time)) + line("end error", error_words(c.end)) +
-              line("worst segment", fmt::format("ends {:.4f} m off", c.worst_end)) +
+              line("worst segment", fmt::format("ends {:.4f} m off, {:.4f} rad", c.worst_end, c.worst_heading)) +
+              line("arrives", arrival_words(c, number_of(parameters, "tolerance"), number_of(parameters, "heading_tolerance"))) +
               line("collision-free", free == c.segments.size() ? fmt::format("yes, at least {:.4f} m clear at its steps", c.least_clearance)
                                                                : fmt::format("no: {} of {} segments", free, c.segments.size()));
   return made;

@@ -13,18 +13,21 @@ namespace {
 struct Reproduced {
   std::string text, csv, svg;
   std::vector<std::string> broken;  ///< printed trends that do not hold, a sentence each
+  std::vector<std::string> undecided;  ///< of which these runs tell neither
+  int runs = 0;                     ///< that tell
   std::string why_broken;           ///< what may be the reason
 };
 
 Reproduced safe_astar(int runs, const std::atomic<bool>* cancel) {
   const auto experiments = reproduction::safe_astar(runs, cancel);
-  return {reproduction::text(experiments), reproduction::csv(experiments), reproduction::svg(experiments, 980.0), reproduction::broken_trends(experiments),
+  return {reproduction::text(experiments), reproduction::csv(experiments), reproduction::svg(experiments, 980.0), reproduction::broken_trends(experiments), {}, runs,
           "with the same rules on the reconstructed maps (the printed maps are pictures, and ties are broken by rules that are not told)"};
 }
 
 Reproduced whales(int runs, const std::atomic<bool>* cancel) {
   const auto results = rrt_woa::run(runs, cancel);
-  return {rrt_woa::text(results), rrt_woa::csv(results), rrt_woa::svg(results, 1100.0), rrt_woa::broken_trends(results),
+  rrt_woa::Trends trends = rrt_woa::trends(results);
+  return {rrt_woa::text(results), rrt_woa::csv(results), rrt_woa::svg(results, 1100.0), std::move(trends.broken), std::move(trends.undecided), results.runs,
           "on the reconstructed maps (the publication tells neither scale nor map of its study, nor the local variant's cost)"};
 }
 
@@ -43,8 +46,11 @@ int reproduce(const ReproduceArguments& arguments) {
     return done;
   }();
   std::string text = std::move(all.text);
-  text += all.broken.empty() ? "\nEvery printed trend holds.\n" : fmt::format("\nPrinted trends that do not hold {}:\n", all.why_broken);
+  if (all.broken.empty()) text += all.undecided.empty() ? "\nEvery printed trend holds.\n" : "\nNo printed trend is refuted.\n";
+  if (!all.broken.empty()) text += fmt::format("\nPrinted trends that do not hold {}:\n", all.why_broken);
   for (const std::string& sentence : all.broken) text += "  " + sentence + "\n";
+  if (!all.undecided.empty()) text += fmt::format("\nPrinted trends of which {} runs a map cannot tell whether they hold (95 % intervals of what the same seeds differ by):\n", all.runs);
+  for (const std::string& sentence : all.undecided) text += "  " + sentence + "\n";
   const std::vector<NamedContent> files{{folder / (what + ".txt"), text}, {folder / (what + ".csv"), all.csv}, {folder / (what + ".svg"), all.svg}};
   if (auto written = write_files(files); !written) return complain(written.error());
   text += fmt::format("\nwritten: {0}/{1}.txt, {1}.csv, {1}.svg{2}\n", folder.string(), what, is_whole ? "" : "; interrupted: what was finished is in them");

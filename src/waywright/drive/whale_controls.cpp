@@ -174,8 +174,10 @@ class SegmentSearch {
   std::int64_t evaluations_ = 0;
 };
 
+bool arrives(const EndError& end, const WhaleControlOptions& options) { return end.position < options.tolerance && end.heading < options.heading_tolerance; }
+
 /// Rows and figures of segments that are settled, driven from `state` on.
-void add_up(WhaleControls& controls, const Problem& problem, const Simulation& simulation, DriveState state, double tolerance) {
+void add_up(WhaleControls& controls, const Problem& problem, const Simulation& simulation, DriveState state, const WhaleControlOptions& options) {
   const Vehicle& vehicle = problem.vehicle();
   const auto steering = [&](const DriveState& at) { return vehicle.can_turn_on_the_spot() ? 0.0 : vehicle.steering_angle(at.curvature); };
   controls.collision_free = controls.arrives = true;
@@ -191,7 +193,8 @@ void add_up(WhaleControls& controls, const Problem& problem, const Simulation& s
     });
     controls.worst_end = std::max(controls.worst_end, segment.end.position);
     controls.collision_free = controls.collision_free && segment.collision_free;
-    controls.arrives = controls.arrives && segment.end.position < tolerance;
+    controls.worst_heading = std::max(controls.worst_heading, segment.end.heading);
+    controls.arrives = controls.arrives && arrives(segment.end, options);
   }
   controls.rows.push_back({t, {}, steering(state), state.pose});
   controls.least_clearance = clearance_cap;
@@ -212,10 +215,11 @@ WhaleControls whale_controls(const Problem& problem, const Plan& plan, const Wha
   const Sample& first = plan.samples.front();
   const double body_curvature = first.direction * first.curvature;
   const DriveState state{first.pose(), first.direction * first.speed, body_curvature * first.direction * first.speed, body_curvature};
-  const auto arrives = [&](const SegmentSearch::Found& f) { return f.end.position < options.tolerance; };
-  const auto serves = [&](const SegmentSearch::Found& f) { return f.is_free && f.end.position < std::min(options.aim, options.tolerance) && f.end.heading < options.heading_aim; };
+  const auto serves = [&](const SegmentSearch::Found& f) {
+    return f.is_free && f.end.position < std::min(options.aim, options.tolerance) && f.end.heading < std::min(options.heading_aim, options.heading_tolerance);
+  };
   // What arrives goes before what is cheaper.
-  const auto rank = [&](const SegmentSearch::Found& f) { return (f.is_free ? 0 : 2) + (arrives(f) ? 0 : 1); };
+  const auto rank = [&](const SegmentSearch::Found& f) { return (f.is_free ? 0 : 2) + (arrives(f.end, options) ? 0 : 1); };
   std::uint64_t searches = 0;
   std::vector<DriveState> begins{state};
   std::vector<std::size_t> failures(waypoints.size(), 0);
@@ -251,7 +255,7 @@ WhaleControls whale_controls(const Problem& problem, const Plan& plan, const Wha
     controls.segments.push_back(std::move(segment));
   }
   controls.evaluations = search.evaluations();
-  add_up(controls, problem, simulation, state, options.tolerance);
+  add_up(controls, problem, simulation, state, options);
   controls.end = end_error(controls.rows.back().pose, plan.samples.back().pose());
   return controls;
 }

@@ -20,6 +20,7 @@ struct WhaleControlOptions {
   std::int64_t most_triplets = 4;    ///< one more at a time, where that does not do *
   std::int64_t backtracks = 10;      ///< times that segments before one that fails are searched again, in all *
   double tolerance = 0.10;           ///< m, of a segment's end
+  double heading_tolerance = 0.10;   ///< rad, likewise *
   double aim = 0.05;                 ///< m, of the same: searches go on until a segment ends so near; farther off is no failure *
   double heading_aim = 0.10;         ///< rad, likewise *
   double heading_weight = 0.2;       ///< [w_φ] m/rad
@@ -70,10 +71,11 @@ struct WhaleControls {
   std::vector<ControlRow> rows;   ///< what the vehicle does while it follows the commands
   EndError end;
   double worst_end = 0.0;         ///< m, of the segments
+  double worst_heading = 0.0;     ///< rad, likewise
   double least_clearance = 0.0;   ///< m, at the rows' poses, at most 10
   std::int64_t evaluations = 0;   ///< of all searches, those given up too
   bool collision_free = false;
-  bool arrives = false;           ///< no segment's end is off by `tolerance` or more
+  bool arrives = false;           ///< no segment's end is off by `tolerance` or `heading_tolerance` or more
 };
 
 /// One search a segment for commands (v, ω, t)ⁿ, from the state in which the last segment's simulation ended. Cost

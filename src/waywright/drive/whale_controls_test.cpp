@@ -237,6 +237,16 @@ TEST(WhaleControls, SayWhereATrackTouchesOrMisses) {
   EXPECT_FALSE(slow.arrives);
   EXPECT_GT(slow.worst_end, 0.10);
   EXPECT_GT(slow.end.position, 0.10);
+  // Near enough, but facing elsewhere.
+  WhaleControlOptions careless{.iterations = 20, .restarts = 0, .most_triplets = 2, .backtracks = 0, .heading_weight = 0.0, .warm = false};
+  careless.tolerance = 10.0;
+  careless.heading_tolerance = pi + 1.0;
+  const Case turn = case_of(trolley(), polyline({{0, 0}, {1.5, 0}, {1.5, 1.5}}));
+  const WhaleControls off = whale_controls(turn.problem, turn.plan, careless, 0.05, 1);
+  EXPECT_TRUE(off.arrives);
+  ASSERT_GT(off.worst_heading, 0.10);
+  careless.heading_tolerance = 0.10;
+  EXPECT_FALSE(whale_controls(turn.problem, turn.plan, careless, 0.05, 1).arrives);
 }
 
 TEST(WhaleControls, APlanThatGoesNowhereStands) {

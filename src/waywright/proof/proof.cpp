@@ -46,7 +46,7 @@ std::string place(const Finding& finding) {
   const SweptClearance& s = finding.swept;
   if (!s.tightest) return "anything";
   return fmt::format("{} at ({:.3f}, {:.3f}), vehicle at ({:.3f}, {:.3f}, {:.4f} rad)", finding.world->source_name(s.contact.source),
-                     s.contact.point.x, s.contact.point.y, s.tightest->x, s.tightest->y, s.tightest->heading);
+                     s.contact.point.x, s.contact.point.y, s.tightest->x, s.tightest->y, wrap(s.tightest->heading));
 }
 
 std::optional<Violation> too_near(const Finding& finding, const char* what, double margin) {

@@ -131,7 +131,7 @@ Measured measured(const Outcomes& outcomes, const Outcomes& star, const std::arr
     nodes.push_back(sum.nodes / count);
     share.push_back(saved / possible);
   }
-  return {mean_of(seconds), mean_of(metres), mean_of(nodes), mean_of(share)};
+  return {mean_of(seconds), mean_of(metres), mean_of(nodes), mean_of(share), metres, nodes};
 }
 
 }  // namespace

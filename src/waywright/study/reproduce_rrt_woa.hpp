@@ -22,6 +22,7 @@ struct Outcome {
 struct Measured {
   Mean seconds, metres, nodes;  ///< over all maps and seeds
   Mean share;                   ///< of the saving that is possible, (L_RRT* − L) / (L_RRT* − L_shortest), of the sums over the maps, seed by seed
+  std::vector<double> metres_by_seed, nodes_by_seed;  ///< over the maps; seeds in the same order in every row
 };
 
 enum class Variant { rrt_star, local, global };
@@ -54,8 +55,15 @@ Results run(int runs, const std::atomic<bool>* cancel);
 
 std::string text(const Results& results);
 std::string csv(const Results& results);
-/// What each parameter does to length and nodes, as printed and here; a sentence each where they differ.
-std::vector<std::string> broken_trends(const Results& results);
+
+/// What each parameter does to length and nodes, as printed and here: a sentence each where the 95 % interval (Student) of what the same seeds differ by from row to row holds
+/// nothing of what is printed, and where it holds both that and its contrary. Of the tables of λ what counts is that 0 gives the longest ways.
+struct Trends {
+  int holding = 0;
+  std::vector<std::string> broken, undecided;
+};
+Trends trends(const Results& results);
+
 /// Length against each parameter, printed and ours, each in per cent of its own first row.
 std::string svg(const Results& results, double width);
 

@@ -4,64 +4,27 @@
 #include <cmath>
 
 #include "waywright/map/whale_maps.hpp"
-#include "waywright/study/reproduce_rrt_woa.hpp"
+#include "waywright/study/rrt_woa_words.hpp"
 
 namespace waywright::rrt_woa {
 namespace {
 
 constexpr std::array<const char*, 3> variants{"RRT*", "local variant", "global variant"};
 
-const char* name_of(const std::string& parameter) {
+std::string with_interval(const Mean& mean, int digits) { return fmt::format("{:.{}f} ± {:.{}f}", mean.value, digits, mean.half_width, digits); }
+
+}  // namespace
+
+const char* variant_name(Variant variant) { return variants[static_cast<std::size_t>(variant)]; }
+
+const char* parameter_name(const std::string& parameter) {
   return parameter == "mu" ? "threshold mu" : parameter == "b" ? "spiral constant b" : parameter == "a0" ? "start value a0" : parameter == "lambda" ? "lambda" : parameter.c_str();
 }
 
-std::string with_interval(const Mean& mean, int digits) { return fmt::format("{:.{}f} ± {:.{}f}", mean.value, digits, mean.half_width, digits); }
-
-/// Change over the rows, by a straight line through them, as a share of the mean.
-struct Slope {
-  double change = 0.0;
-  double noise = 0.0;  ///< change that is within the intervals
-};
-
-template <class Value>
-Slope slope_of(const std::vector<Row>& rows, Value&& value) {
-  const auto n = static_cast<double>(rows.size());
-  double mean = 0.0, across = 0.0, up = 0.0, noise = 0.0;
-  for (const Row& row : rows) mean += value(row).value / n;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double x = static_cast<double>(i) - 0.5 * (n - 1.0);
-    across += x * x;
-    up += x * (value(rows[i]).value - mean);
-    noise += x * x * value(rows[i]).half_width * value(rows[i]).half_width;
-  }
-  const double rows_between = n - 1.0;
-  return {up / across * rows_between / mean, std::sqrt(noise) / across * rows_between / mean};
+std::string between(double low, double high, int digits, const char* unit) {
+  if (!std::isfinite(low) || !std::isfinite(high)) return "one run tells no more";
+  return fmt::format("between {:+.{}f} and {:+.{}f} {}", low, digits, high, digits, unit);
 }
-
-constexpr double little = 0.005;  // of the mean: no effect
-
-int sign_of(const Slope& slope) { return std::abs(slope.change) < std::max(little, slope.noise) ? 0 : slope.change > 0.0 ? 1 : -1; }
-
-std::string told(const Slope& slope) {
-  return sign_of(slope) == 0 ? fmt::format("has no effect ({:+.1f} %)", 100.0 * slope.change) : fmt::format("{} by {:.1f} %", slope.change > 0.0 ? "grows" : "falls", 100.0 * std::abs(slope.change));
-}
-
-/// The tables of λ have three blocks, one for each a₀.
-std::vector<std::vector<Row>> blocks_of(const Table& table) {
-  std::vector<std::vector<Row>> blocks;
-  for (const Row& row : table.rows) {
-    if (blocks.empty() || (table.parameter == "lambda" && blocks.back().back().start != row.start)) blocks.emplace_back();
-    blocks.back().push_back(row);
-  }
-  return blocks;
-}
-
-Mean printed_metres(const Row& row) { return {row.published.metres, 0.0}; }
-Mean printed_nodes(const Row& row) { return {row.published.nodes, 0.0}; }
-Mean our_metres(const Row& row) { return row.ours.metres; }
-Mean our_nodes(const Row& row) { return row.ours.nodes; }
-
-}  // namespace
 
 std::string text(const Results& results) {
   std::string out = fmt::format("Five maps of 20 x 20 m, a point from (1.5, 1.5) to (18.5, 18.5), {} seeds each; first path of RRT*, step 1 m, radius 1.5 m, goal threshold 1 m.\n\n", results.runs);
@@ -91,7 +54,7 @@ std::string text(const Results& results) {
   for (const Table& table : results.tables) {
     const bool has_blocks = table.parameter == "lambda";
     out += fmt::format("{} {}, {}\n  {:>8}{}  printed: s  length m    nodes  |  here: ms          length m           nodes   share\n", table.name, variants[static_cast<std::size_t>(table.variant)],
-                       name_of(table.parameter), "", has_blocks ? "    a0" : "");
+                       parameter_name(table.parameter), "", has_blocks ? "    a0" : "");
     for (const Row& row : table.rows) {
       out += fmt::format("  {:>8g}{}  {:>10.4f} {:>9.3f} {:>8.1f}  |  {:>8.3f} {:>17} {:>15} {:>5.1f} %\n", row.value, has_blocks ? fmt::format("{:>6g}", row.start) : "", row.published.seconds,
                          row.published.metres, row.published.nodes, 1e3 * row.ours.seconds.value, with_interval(row.ours.metres, 3), with_interval(row.ours.nodes, 0), 100.0 * row.ours.share.value);
@@ -113,33 +76,6 @@ std::string csv(const Results& results) {
     for (const Row& row : table.rows) line(table.name, table.variant, table.parameter, row);
   }
   return out;
-}
-
-std::vector<std::string> broken_trends(const Results& results) {
-  std::vector<std::string> sentences;
-  if (results.runs == 0) return sentences;
-  for (const Table& table : results.tables) {
-    for (const std::vector<Row>& block : blocks_of(table)) {
-      const std::string what = fmt::format("{}, {}, {}{}", table.name, variants[static_cast<std::size_t>(table.variant)], name_of(table.parameter),
-                                           table.parameter == "lambda" ? fmt::format(" at a0 = {:g}", block.front().start) : "");
-      if (table.parameter == "lambda") {
-        // What is printed of λ is that 0 is the worst.
-        const auto longest = [&](auto&& value) { return std::max_element(block.begin(), block.end(), [&](const Row& a, const Row& b) { return value(a).value < value(b).value; }) - block.begin(); };
-        if (longest(printed_metres) == 0 && longest(our_metres) != 0) {
-          const Row& worst = block[static_cast<std::size_t>(longest(our_metres))];
-          sentences.push_back(fmt::format("{}: lambda = 0 gives the longest ways as printed; here lambda = {:g} does, {} m against {} m.", what, worst.value, with_interval(worst.ours.metres, 3),
-                                          with_interval(block.front().ours.metres, 3)));
-        }
-        continue;
-      }
-      const auto compare = [&](const char* of, const Slope& printed, const Slope& ours) {
-        if (sign_of(printed) != sign_of(ours)) sentences.push_back(fmt::format("{}: the {} {} over the table as printed, here it {}.", what, of, told(printed), told(ours)));
-      };
-      compare("length", slope_of(block, printed_metres), slope_of(block, our_metres));
-      if (table.variant == Variant::local) compare("number of nodes", slope_of(block, printed_nodes), slope_of(block, our_nodes));
-    }
-  }
-  return sentences;
 }
 
 }  // namespace waywright::rrt_woa

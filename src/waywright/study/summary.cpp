@@ -182,7 +182,7 @@ std::string summary_text(const std::vector<Summary>& summaries, const std::vecto
                          figure(ran, 1000.0 * s.seconds.median, 2));
       if (s.all_alike)
         below += fmt::format(
-            "  {}: its {} runs are the same to the last bit; the seed changes nothing, and they count as "
+            "  {}: its {} runs are the same to the last bit: none of these seeds changed anything, and they count as "
             "one\n",
             label, s.solved.all);
       for (const Summary::Failures& f : s.failures) {

@@ -65,8 +65,7 @@ class Planning {
   PlanningResult run() {
     search_.error = prepare();
     std::optional<std::vector<Pose>> direct;
-    // RRTConnect tries it by itself.
-    if (search_.error.empty() && (planner_ != SamplingPlanner::rrt_connect || steering_->between(start_.pose, goal_.pose).empty())) direct = direct_way();
+    if (search_.error.empty()) direct = direct_way();
     if (direct && (!is_optimising(planner_) || cost_of(*steering_, *direct) <= (1.0 + enough) * least())) {
       search_.states = *direct;
     } else if (search_.error.empty()) {

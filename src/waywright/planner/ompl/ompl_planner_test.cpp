@@ -110,6 +110,23 @@ TEST_P(EveryPlanner, SolvesInEverySpace) {
   }
 }
 
+/// Out of a pocket, where motions are tested one way and driven the other.
+TEST(RoadmapOfOmpl, DrivesMotionsBackAsTheyWereTested) {
+  Scenario s;
+  s.vehicle.footprint.polygon = rectangle({-1.3, -0.4}, {0.9, 0.4});
+  s.vehicle.drive = Tricycle{1.1, 1.2, SteeredAxle::rear};
+  s.vehicle.limits.curvature = 0.9;
+  s.map.boundaries.push_back(rectangle({0, 0}, {12, 8}));
+  s.map.obstacles.push_back({{4, 1.5}, {9, 1.5}, {9, 6.5}, {4, 6.5}, {4, 5.5}, {8, 5.5}, {8, 2.5}, {4, 2.5}});
+  s.start = {6, 4, 0};
+  s.mission = Pose{10.8, 4, 0};
+  const Problem problem = prepared(s);
+  for (const std::uint64_t seed : {1, 3, 8}) {
+    const PlanningResult result = plan_with(problem, SamplingPlanner::prm_star, in_space(SteeringKind::reeds_shepp, 20000), seed);
+    expect_solved(problem, result, "seed " + std::to_string(seed));
+  }
+}
+
 TEST_P(EveryPlanner, SameSeedSameBitsWhateverRunsBeside) {
   const SteeringKind space = GetParam() == SamplingPlanner::prm_star ? SteeringKind::turns : SteeringKind::reeds_shepp;
   const Problem problem = prepared(with_a_gap());

@@ -57,7 +57,7 @@ PlanningFailure failed(const Told& told, const Problem& problem, const Path& nea
         told.planner == SamplingPlanner::rrt_connect
             ? fmt::format("{} from the start and {} from the goal", counted(search.start_states, "state reached", "states reached"), search.goal_states)
             : states_told(told);
-    const std::string place = told.steering.has_headings() ? fmt::format("({:.3f}, {:.3f}, {:.4f} rad)", reached.x, reached.y, reached.heading) : fmt::format("({:.3f}, {:.3f})", reached.x, reached.y);
+    const std::string place = told.steering.has_headings() ? fmt::format("({:.3f}, {:.3f}, {:.4f} rad)", reached.x, reached.y, wrap(reached.heading)) : fmt::format("({:.3f}, {:.3f})", reached.x, reached.y);
     reason = fmt::format(
         "{} found no way from start to goal before {}: {} footprint placements in {} tested, {}; nearest to the goal it came to {}, where {:.2f} m of {} are missing", label(told.planner),
         what_ended(told.test, told.budget), told.test.placements(), counted(told.test.motions(), "motion", "motions"), states, place, search.missing, told.steering.piece_word());
@@ -83,8 +83,8 @@ std::vector<std::string> explain(const Told& told, const Path& path, std::option
   if (before) metres += fmt::format(", {:.2f} m before it was shortened", *before);
   const std::string with = ", with " + changes_words(counts, !told.steering.is_curve());
   const std::int64_t states = told.search.start_states + told.search.goal_states;
-  const std::string reached = told.planner == SamplingPlanner::rrt_connect ? fmt::format("{} reached from start and goal", counted(states, "state was", "states were"))
-                              : states == 0                                ? std::string{"the motion from start to goal was free"}
+  const std::string reached = states == 0                                  ? std::string{"the motion from start to goal was free"}
+                              : told.planner == SamplingPlanner::rrt_connect ? fmt::format("{} reached from start and goal", counted(states, "state was", "states were"))
                                                                            : fmt::format("it ended with {}", states_told(told));
   text.push_back(metres + with +
                  fmt::format("; {} and {} were tested, and {}.", counted(told.test.placements(), "footprint placement", "footprint placements"),

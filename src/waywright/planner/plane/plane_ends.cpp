@@ -95,13 +95,24 @@ std::optional<std::string> nothing_to_plan(const Problem& problem, std::string_v
   return std::nullopt;
 }
 
+std::string kept_words(const PlaneSpace& space) {
+  const double required = space.problem().required_clearance();
+  return fmt::format("{:.4f} m and {:.1f} mm more for the proof", required, (space.needed() - space.disc() - required) * 1e3);
+}
+
+std::string footprint_sentence(const Problem& problem) {
+  if (problem.footprint().is_disc() || problem.free_goal() != nullptr) return {};
+  return "prm and rrt_star with the space \"turns\" plan for the footprint itself";
+}
+
 PlanningFailure no_room(const PlaneSpace& space, bool is_start) {
   const Problem& problem = space.problem();
   const Pose& pose = is_start ? problem.start() : problem.goal();
+  const std::string itself = footprint_sentence(problem);
   return grid::failure(Status::no_path,
-                       fmt::format("{} the {} at {} no straight run of up to {:.2f} m leads {} where {} of {:.3f} m can stand and keep {:.4f} m", is_start ? "from" : "to", is_start ? "start" : "goal",
+                       fmt::format("{} the {} at {} no straight run of up to {:.2f} m leads {} where {} of {:.3f} m can stand and keep {}{}{}", is_start ? "from" : "to", is_start ? "start" : "goal",
                                    grid::place(pose.position()), longest_run(space), is_start ? "to" : "from", problem.footprint().is_disc() ? "the disc" : "the disc around the footprint,",
-                                   space.disc(), problem.required_clearance()),
+                                   space.disc(), kept_words(space), itself.empty() ? "" : "; ", itself),
                        pose);
 }
 

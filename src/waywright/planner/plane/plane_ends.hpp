@@ -39,6 +39,11 @@ Path rounded_path(const PlaneSpace& space, const PlaneEnd& start, const std::vec
 /// Why `name` plans nothing at all here: a vehicle that cannot turn on the spot, nothing to drive. Empty where it can go on.
 std::optional<std::string> nothing_to_plan(const Problem& problem, std::string_view name);
 
+/// "0.0200 m and 0.2 mm more for the proof": what a way of the disc keeps.
+std::string kept_words(const PlaneSpace& space);
+/// Which planners plan for the footprint itself; empty where it is a disc, or the goal leaves the heading free.
+std::string footprint_sentence(const Problem& problem);
+
 /// That no run leads from the start, or into the goal, to where the disc can stand.
 PlanningFailure no_room(const PlaneSpace& space, bool is_start);
 /// What the runs at the ends are for. @pre there is one

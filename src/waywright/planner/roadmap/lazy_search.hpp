@@ -41,9 +41,9 @@ struct LazyLimits {
 /// Graph has
 ///   using Place; std::uint32_t count(); Place place(std::uint32_t); Place start(); Place goal_from(Place);
 ///   double cost(Place, Place); double least(Place): no way from there to the goal costs less; bool is_free(Place, Place);
-///   std::vector<RoadmapNeighbour> from_start(), neighbours(std::uint32_t); std::vector<std::uint32_t> before_goal(); bool joins_ends(double cost).
+///   std::vector<RoadmapNeighbour> from_start(), neighbours(std::uint32_t); std::vector<std::uint32_t> before_goal().
 ///
-/// Law: the way is one of least cost among all whose motions are free and in the graph, whatever was tested in which order. One entry a motion.
+/// Law: the way is one of least cost among all whose motions are free and in the graph, or join start and goal, whatever was tested in which order. One entry a motion.
 template <class Graph>
 class LazySearch {
  public:
@@ -59,7 +59,7 @@ class LazySearch {
     settle(start(), none, 0.0);
     for (const RoadmapNeighbour& n : from_start) offer(start(), n);
     const Place first = graph_.start();
-    if (const double cost = graph_.cost(first, graph_.goal_from(first)); graph_.joins_ends(cost)) offer(start(), {goal(), cost});
+    offer(start(), {goal(), graph_.cost(first, graph_.goal_from(first))});  // however far they are apart
     answer_.ended = search();
     const std::uint32_t last = answer_.ended == RoadmapEnd::found ? goal() : nearest_;
     answer_.length = costs_[last];

@@ -82,7 +82,8 @@ class PrmPlanner::Ready {
   PlanningResult plan(Budget& budget) const {
     using grid::failure;
     const Problem& problem = space_.problem();
-    if (kind_ != SteeringKind::plane) return among_states(budget);
+    const RoadmapOptions options = limited(options_.roadmap, budget.limits());
+    if (kind_ != SteeringKind::plane) return among_states(options, budget);
     if (options_.space.space) {  // it was asked for
       if (std::string reason = space_refusal(problem, kind_, "prm", "PRM"); !reason.empty()) return tl::unexpected{failure(Status::no_path, std::move(reason))};
     }
@@ -95,7 +96,6 @@ class PrmPlanner::Ready {
       budget.count_evaluations();  // the run that was looked for
       return tl::unexpected{no_room(space_, !start)};
     }
-    const RoadmapOptions options = limited(options_.roadmap, budget.limits());
     std::optional<ProbabilisticRoadmap> grown;
     if (!drawn_ || drawn_->options().samples != options.samples) grown.emplace(space_, options, seed_, budget);
     const ProbabilisticRoadmap& roadmap = grown ? *grown : *drawn_;
@@ -104,13 +104,22 @@ class PrmPlanner::Ready {
     const RoadmapAnswer answer = roadmap.shortest(start->at, target, budget, budget.evaluations_left().value_or(std::numeric_limits<std::int64_t>::max()));
     budget.count_evaluations(std::max<std::int64_t>(1, answer.lines));
     if (answer.ended == RoadmapEnd::stopped) return tl::unexpected{stopped(budget, static_cast<std::int64_t>(roadmap.size()))};
-    if (answer.ended != RoadmapEnd::found) return tl::unexpected{nothing_found(roadmap, answer, target, budget)};
+    if (answer.ended != RoadmapEnd::found) {
+      bool is_hopeless = false;
+      PlanningFailure failed = nothing_found(roadmap, answer, target, budget, is_hopeless);
+      if (is_hopeless || failed.failure.status != Status::no_path) return tl::unexpected{std::move(failed)};
+      RoadmapOptions rest = options;
+      if (budget.limits().samples) rest.samples -= static_cast<std::int64_t>(roadmap.size());
+      if (may_turn_instead(problem, options_.space) && rest.samples > 0 && budget.evaluations_left() != 0) return after_the_disc(failed, among_states(rest, budget));
+      if (const std::string itself = footprint_sentence(problem); !itself.empty()) failed.failure.reason += "; " + itself;
+      failed.explanation = {failed.failure.reason + "."};
+      return tl::unexpected{std::move(failed)};
+    }
     return explained(roadmap, answer, *start, *goal, budget);
   }
 
  private:
-  PlanningResult among_states(Budget& budget) const {
-    const RoadmapOptions options = limited(options_.roadmap, budget.limits());
+  PlanningResult among_states(const RoadmapOptions& options, Budget& budget) const {
     const auto search = [&](const StateQuery& query) {
       const StateRoadmap roadmap{query, options, seed_, budget};
       LazyAnswer<Pose> found;
@@ -126,7 +135,7 @@ class PrmPlanner::Ready {
         return answer;
       }
       const std::string ended = !roadmap.is_whole() || found.ended == RoadmapEnd::stopped ? fmt::format("the {:g} s of its budget were over", budget.limits().seconds.value_or(0.0))
-                                : found.ended == RoadmapEnd::lines                        ? fmt::format("all {} of its budget were tested", counted(query.test.motions(), "motion"))
+                                : found.ended == RoadmapEnd::lines                        ? motions_spent(query)
                                 : found.ended == RoadmapEnd::crowded
                                     ? fmt::format("more than {} million motions waited to be tested: fewer samples make a smaller roadmap", ProbabilisticRoadmap::most_waiting / 1'000'000)
                                     : fmt::format("all that is joined to the start was searched, with {} tested; more samples find what fewer miss", counted(found.lines, "motion"));
@@ -149,7 +158,7 @@ class PrmPlanner::Ready {
     return fmt::format("joined within {:.2f} m{}", roadmap.radius(), roadmap.options().radius > 0.0 ? "" : " (the radius of PRM*)");
   }
 
-  PlanningFailure nothing_found(const ProbabilisticRoadmap& roadmap, const RoadmapAnswer& answer, const PlaneTarget& target, Budget& budget) const {
+  PlanningFailure nothing_found(const ProbabilisticRoadmap& roadmap, const RoadmapAnswer& answer, const PlaneTarget& target, Budget& budget, bool& is_hopeless) const {
     const Vec2 reached = answer.way.back();
     const std::string ended = answer.ended == RoadmapEnd::lines ? fmt::format("all {} of its budget were tested", counted(answer.lines, "line"))
                               : answer.ended == RoadmapEnd::crowded
@@ -160,10 +169,10 @@ class PrmPlanner::Ready {
                                      distance(reached, target.nearest(reached)));
     if (const std::string more = unreachable_sentence(least_length(space_, budget), space_.problem()); !more.empty()) {
       reason += "; " + more;
+      is_hopeless = true;
     } else if (answer.ended == RoadmapEnd::unreachable) {
       reason += "; more samples find what fewer miss";
     }
-    if (!space_.problem().footprint().is_disc() && space_.problem().free_goal() == nullptr) reason += "; the space \"turns\" plans for the footprint itself";
     if (budget.exhausted()) return stopped(budget, static_cast<std::int64_t>(roadmap.size()));
     PlanningFailure failed = grid::failure(Status::no_path, reason);
     Alternative tried;
@@ -247,7 +256,7 @@ PlannerDescription prm_description() {
                          options.space = space_options(p);
                          return PrmPlanner{options, seed};
                        }};
-  for (ParameterDescription& parameter : space_parameters("reeds_shepp for a tricycle, plane where a disc serves, else turns")) d.parameters.push_back(std::move(parameter));
+  for (ParameterDescription& parameter : space_parameters("reeds_shepp for a tricycle, plane where a disc serves, else or where that fails turns")) d.parameters.push_back(std::move(parameter));
   d.parameters.push_back(resolution_parameter());
   d.counts_samples = [](const Parameters&) { return true; };
   d.takes_free_goals = true;

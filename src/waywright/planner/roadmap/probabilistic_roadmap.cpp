@@ -30,7 +30,6 @@ class Graph {
   std::vector<RoadmapNeighbour> from_start() const { return with_costs(start_, roadmap_.near(start_)); }
   std::vector<RoadmapNeighbour> neighbours(std::uint32_t i) const { return with_costs(place(i), roadmap_.neighbours_of(i)); }
   std::vector<std::uint32_t> before_goal() const { return roadmap_.near(goal_); }
-  bool joins_ends(double cost) const { return roadmap_.radius() <= 0.0 || cost <= roadmap_.radius(); }
 
  private:
   std::vector<RoadmapNeighbour> with_costs(Vec2 at, const std::vector<std::uint32_t>& near) const {

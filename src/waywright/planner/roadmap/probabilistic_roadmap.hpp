@@ -27,7 +27,7 @@ using RoadmapAnswer = LazyAnswer<Vec2>;
 /// Immutable once grown; queries may run on many threads. The space outlives it.
 ///
 /// Laws: places are free and depend on the space, the seed and their number alone: those of fewer samples are the first ones of more. A query's way is a shortest one among
-/// all whose lines are free and join neighbours, whatever was tested in which order. With the proven radius its length tends to that of the shortest way with the samples.
+/// all whose lines are free and join neighbours, or start and goal, whatever was tested in which order. With the proven radius its length tends to that of the shortest way with the samples.
 class ProbabilisticRoadmap {
  public:
   static constexpr std::int64_t most_samples = 100'000;

@@ -43,6 +43,21 @@ RoadmapAnswer answer_of(const PlaneSpace& space, const RoadmapOptions& options, 
   return roadmap.shortest(space.problem().start().position(), {{space.problem().goal().position()}}, budget, no_end);
 }
 
+TEST(ProbabilisticRoadmap, JoinsStartAndGoalHoweverFarTheyAreApart) {
+  Scenario s = two_rooms(0.5).scenario();
+  s.start = {1.0, 3.0, 0.0};
+  s.mission = Pose{11.4, 3.0, 0.0};
+  const Problem problem = Problem::prepare(std::move(s)).value();
+  const PlaneSpace space{problem};
+  for (const RoadmapOptions& options : {RoadmapOptions{100, 0.0, 0}, RoadmapOptions{100, 0.5, 0}, RoadmapOptions{100, 0.0, 5}}) {
+    const RoadmapAnswer answer = answer_of(space, options, 1);
+    ASSERT_EQ(answer.ended, RoadmapEnd::found);
+    EXPECT_EQ(answer.way.size(), 2U);
+    EXPECT_EQ(answer.length, 10.4);
+    EXPECT_EQ(answer.lines, 1);
+  }
+}
+
 // How many samples a passage takes. Disc's middles have w = gap − 2 needed across in it. The strip of that width that goes on straight into both rooms is convex and free.
 // So any place a in the left room's part of the strip sees any place b in the right one's; rooms are convex, so the start sees a and b sees the goal. A roadmap whose radius
 // spans all finds a way as soon as one sample falls into each of the two parts. Each part has the share p = w (6 − 2 needed) / F of the free area F, so n samples miss one

@@ -85,6 +85,29 @@ std::vector<Vec2> StateQuery::places_along(const std::vector<Pose>& states) cons
   return places;
 }
 
+std::string motions_spent(const StateQuery& query) {
+  const std::int64_t all = query.test.limits().motions, tested = query.test.motions();
+  if (tested >= all) return fmt::format("all {} of its budget were tested", grid::counted(all, "motion"));
+  return fmt::format("{} of the {} of its budget were tested, the others being kept for shortening a way", tested, grid::counted(all, "motion"));
+}
+
+bool may_turn_instead(const Problem& problem, const SpaceOptions& options) {
+  return !options.space && problem.free_goal() == nullptr && !problem.footprint().is_disc() && problem.vehicle().can_turn_on_the_spot();
+}
+
+PlanningResult after_the_disc(const PlanningFailure& disc, PlanningResult itself) {
+  const std::string before = fmt::format("The footprint itself was searched for in the space \"turns\", since the disc around it came to nothing: {}.", disc.failure.reason);
+  auto& text = itself ? itself->explanation : itself.error().explanation;
+  text.insert(text.begin() + (text.empty() ? 0 : 1), before);
+  auto& tried = itself ? itself->alternatives : itself.error().alternatives;
+  for (Alternative alternative : disc.alternatives) {
+    alternative.name += ", disc";
+    tried.push_back(std::move(alternative));
+  }
+  if (!itself) itself.error().failure.reason += "; before that, for the disc around the footprint, " + disc.failure.reason;
+  return itself;
+}
+
 PlanningFailure StatePlanning::failure(Status status, const std::string& reason) const {
   PlanningFailure failed = grid::failure(status, reason);
   failed.explanation.push_back(reason + ".");
@@ -108,7 +131,7 @@ Alternative StatePlanning::alternative(std::string name, const Path& path, bool 
 
 PlanningFailure StatePlanning::not_found(const StateQuery& query, const StateAnswer& answer, Budget& budget) const {
   const Pose reached = answer.nearest.empty() ? query.start : answer.nearest.back();
-  std::string reason = fmt::format("{}; nearest to the goal it came to ({:.3f}, {:.3f}, {:.4f} rad), where {:.2f} m of {} are missing", answer.missed, reached.x, reached.y, reached.heading,
+  std::string reason = fmt::format("{}; nearest to the goal it came to ({:.3f}, {:.3f}, {:.4f} rad), where {:.2f} m of {} are missing", answer.missed, reached.x, reached.y, wrap(reached.heading),
                                    query.steering.distance(reached, query.goal), query.steering.piece_word());
   const Blocker blocker = query.test.worst_blocker();
   if (!blocker.name.empty()) reason += fmt::format("; {} stood in the way of {:.0f} % of the blocked placements", blocker.name, 100.0 * blocker.share);

@@ -43,6 +43,14 @@ struct StateAnswer {
   SearchPicture picture{};
 };
 
+/// "all 50 motions of its budget were tested", or "45 of the 50 motions …": the number that was given.
+std::string motions_spent(const StateQuery& query);
+
+/// The space was left to the planner, and where the disc around the footprint finds no way, the footprint itself may, with turns on the spot.
+bool may_turn_instead(const Problem& problem, const SpaceOptions& options);
+/// What the footprint itself comes to where the disc around it failed; what the disc came to is told before, its ways drawn behind.
+PlanningResult after_the_disc(const PlanningFailure& disc, PlanningResult itself);
+
 /// From a problem to a search and back: the same for every method.
 class StatePlanning {
  public:

@@ -28,7 +28,6 @@ class Graph {
     for (const RoadmapNeighbour& n : roadmap_.into(query_.goal)) all.push_back(n.index);
     return all;
   }
-  bool joins_ends(double cost) const { return roadmap_.neighbours() > 0 || cost <= roadmap_.options().radius; }
 
  private:
   const StateRoadmap& roadmap_;

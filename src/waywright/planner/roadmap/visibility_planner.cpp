@@ -67,10 +67,12 @@ class VisibilityPlanner::Ready {
 
   PlanningFailure unreachable(const TangentAnswer& answer, Budget& budget) const {
     const Problem& problem = space_.problem();
-    std::string reason = fmt::format("no way leads from start to goal for {} of {:.3f} m that keeps {:.4f} m: all that can be reached was searched, {}",
-                                     problem.footprint().is_disc() ? "a disc" : "the disc around the footprint,", space_.disc(), problem.required_clearance(),
+    std::string reason = fmt::format("no way leads from start to goal for {} of {:.3f} m that keeps {}: all that can be reached was searched, {}",
+                                     problem.footprint().is_disc() ? "a disc" : "the disc around the footprint,", space_.disc(), kept_words(space_),
                                      grid::counted(answer.expansions, "expansion"));
-    if (const std::string more = unreachable_sentence(least_length(space_, budget), problem); !more.empty()) reason += "; " + more;
+    std::string more = unreachable_sentence(least_length(space_, budget), problem);
+    if (more.empty()) more = footprint_sentence(problem);
+    if (!more.empty()) reason += "; " + more;
     return grid::failure(Status::no_path, std::move(reason));
   }
 

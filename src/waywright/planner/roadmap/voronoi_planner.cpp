@@ -153,9 +153,11 @@ class VoronoiPlanner::Ready {
     const std::string cause = answer.ended == VoronoiEnd::unreachable ? fmt::format("all that is joined to the start was searched, {}", counted(answer.expansions, "expansion"))
                                                                       : fmt::format("no line of it that {} fits on is seen from the {}", space_.problem().footprint().is_disc() ? "it" : "that disc",
                                                                                     answer.ended == VoronoiEnd::no_start ? "start" : "goal");
-    std::string reason = fmt::format("no way leads from start to goal along the Voronoi diagram for {} of {:.3f} m that keeps {:.4f} m: {}", what(), space_.disc(),
-                                     space_.problem().required_clearance(), cause);
-    if (const std::string more = unreachable_sentence(least_length(space_, budget), space_.problem()); !more.empty()) reason += "; " + more;
+    std::string reason = fmt::format("no way leads from start to goal along the Voronoi diagram for {} of {:.3f} m that keeps {}: {}", what(), space_.disc(),
+                                     kept_words(space_), cause);
+    std::string more = unreachable_sentence(least_length(space_, budget), space_.problem());
+    if (more.empty()) more = footprint_sentence(space_.problem());
+    if (!more.empty()) reason += "; " + more;
     if (budget.exhausted()) return stopped(budget, answer.expansions);
     PlanningFailure failed = grid::failure(Status::no_path, std::move(reason));
     failed.search = picture();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <tuple>
 
 #include "waywright/core/elementary.hpp"
 #include "waywright/curve/arc.hpp"
@@ -237,13 +238,25 @@ Target target(const Pose& from, const Pose& to, double radius) {
   return {there.x, there.y, heading, of_heading.sin, of_heading.cos};
 }
 
+/// Of both orders of two poses one, so that among words of equal length the same is taken there and back.
+bool comes_first(const Pose& a, const Pose& b) { return std::tie(a.x, a.y, a.heading) <= std::tie(b.x, b.y, b.heading); }
+
+ReedsSheppWord driven_back(ReedsSheppWord word) {
+  std::reverse(word.parts.begin(), word.parts.begin() + static_cast<std::ptrdiff_t>(word.count));
+  for (TurningPart& part : word.parts) part.length = -part.length;
+  return word;
+}
+
 }  // namespace
 
-ReedsSheppWord ReedsShepp::shortest(const Pose& from, const Pose& to) const { return Search{target(from, to, radius_)}.best(); }
+ReedsSheppWord ReedsShepp::shortest(const Pose& from, const Pose& to) const {
+  return comes_first(from, to) ? Search{target(from, to, radius_)}.best() : driven_back(Search{target(to, from, radius_)}.best());
+}
 
 double ReedsShepp::distance_under(const Pose& from, const Pose& to, double limit) const {
   // A little more than the limit: the same word as without one wherever it counts.
-  const ReedsSheppWord word = Search{target(from, to, radius_), limit / radius_ + 1e-9}.best();
+  const Target there = comes_first(from, to) ? target(from, to, radius_) : target(to, from, radius_);
+  const ReedsSheppWord word = Search{there, limit / radius_ + 1e-9}.best();
   return word.count > 0 ? radius_ * word.length : std::numeric_limits<double>::infinity();
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "waywright/planner/grid/free_goal.hpp"
 #include "waywright/planner/grid/grid_path.hpp"
@@ -97,7 +99,19 @@ class TurnSteering final : public Steering {
     return points_to_x(from) ? std::abs(turn) : -std::abs(turn);
   }
 
+  /// That of both orders of the ends which comes first, driven back in the other: the same one to the last bit.
   Motion motion(const Pose& from, const Pose& to) const {
+    if (std::tie(from.x, from.y, from.heading) <= std::tie(to.x, to.y, to.heading)) return motion_forth(from, to);
+    Motion m = motion_forth(to, from);
+    if (m.way <= 0.0) m.heading = from.heading;
+    m.direction = -m.direction;
+    std::swap(m.first, m.last);
+    m.first = -m.first;
+    m.last = -m.last;
+    return m;
+  }
+
+  Motion motion_forth(const Pose& from, const Pose& to) const {
     Motion m;
     const Vec2 way = to.position() - from.position();
     m.way = norm(way);

@@ -87,25 +87,34 @@ TEST_P(EverySteering, APathAlongStatesIsContinuousAndEndsWhereItIsToEnd) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, EverySteering, testing::ValuesIn(steering_kinds), [](const auto& entry) { return std::string{to_string(entry.param)}; });
-
-TEST(TurnSteering, TheWayBackIsTheSameOneDrivenTheOtherWay) {
-  const auto steering = make(SteeringKind::turns);
+/// Among motions that cost the same, too, of which grids of poses have many.
+TEST_P(EverySteering, TheMotionBackIsTheSameOneDrivenTheOtherWay) {
+  const auto steering = make(GetParam());
+  if (!steering->is_symmetric()) return;
   Random random{44};
   for (int i = 0; i < 5000; ++i) {
     const Pose a = pose_of(random, i), b = pose_of(random, i);
     const Pieces there = steering->between(a, b), back = steering->between(b, a);
+    EXPECT_EQ(steering->distance(a, b), steering->distance(b, a));
     ASSERT_EQ(there.size(), back.size());
     for (std::size_t k = 0; k < there.size(); ++k) {
       const Piece &one = there[k], &other = back[there.size() - 1 - k];
       ASSERT_EQ(one.curve.index(), other.curve.index());
-      EXPECT_EQ(one.direction, -other.direction);
+      EXPECT_EQ(one.direction, steering->has_headings() ? -other.direction : other.direction);
+      EXPECT_NEAR(length(one), length(other), 1e-9);
+      EXPECT_LT(distance(start_pose(one).position(), end_pose(other).position()), 1e-9);
+      if (!steering->has_headings()) continue;
+      EXPECT_LT(std::abs(shorter_turn(start_pose(one).heading, end_pose(other).heading)), 1e-9);
       if (const auto* turn = std::get_if<Turn>(&one.curve)) {
-        EXPECT_NEAR(turn->angle, -std::get<Turn>(other.curve).angle, 1e-9);
+        EXPECT_EQ(turn->angle, -std::get<Turn>(other.curve).angle);
+      } else if (const auto* arc = std::get_if<Arc>(&one.curve)) {
+        EXPECT_EQ(arc->curvature, -std::get<Arc>(other.curve).curvature);
       }
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Kinds, EverySteering, testing::ValuesIn(steering_kinds), [](const auto& entry) { return std::string{to_string(entry.param)}; });
 
 TEST(PlaneSteering, StraightRunsAreOneLine) {
   const auto steering = make(SteeringKind::plane);

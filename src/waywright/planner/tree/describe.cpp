@@ -16,7 +16,7 @@ std::vector<ParameterDescription> tree_parameters(TreeMethod method) {
   if (method == TreeMethod::rrt || method == TreeMethod::rrt_star) {
     all[2].summary = "straight distance from which on the goal is looked for";
     all[4].summary = "leave out corners past which their neighbours see each other; with headings, try motions between places on the way";
-    for (ParameterDescription& p : space_parameters("reeds_shepp for a tricycle, plane where a disc serves, else turns")) all.push_back(std::move(p));
+    for (ParameterDescription& p : space_parameters("reeds_shepp for a tricycle, plane where a disc serves, else or where that fails turns")) all.push_back(std::move(p));
     all.push_back(resolution_parameter());
   }
   if (method == TreeMethod::rrt) return all;

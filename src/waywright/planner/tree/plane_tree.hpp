@@ -22,7 +22,7 @@ struct PlaneTreeOptions {
   std::int64_t samples = 10'000;
   double step = 1.0;            ///< m, longest edge that the tree grows by
   double radius = 0.0;          ///< m, within which RRT* looks for better parents; 0: the proven one, which shrinks as the tree grows
-  double goal_threshold = 1.0;  ///< m: from so near the goal is looked for
+  double goal_threshold = 1.0;  ///< m: from so near the goal is looked for; from the start, before anything is drawn, from anywhere
   double goal_bias = 0.0;       ///< share of the samples that are the goal
   bool rewires = true;          ///< RRT*; else RRT
   bool first_path = false;      ///< ends with the first path; else with the last sample
@@ -42,7 +42,7 @@ struct PlaneTreeStatistics {
   std::int64_t samples = 0;
   std::int64_t edges = 0;  ///< straight lines whose freedom was asked for
   std::int64_t rewired = 0;
-  std::int64_t first_path_after = 0;      ///< samples; 0: there was none
+  std::int64_t first_path_after = 0;      ///< samples; 0: there was none, or the start saw the goal
   std::optional<double> first_length{};   ///< m
 };
 

@@ -56,6 +56,30 @@ TEST(PlaneTree, CostsAddUpAndEdgesAreFreeWhateverWasRewired) {
   }
 }
 
+/// Through a gap that hardly a sample falls into, farther than the goal's threshold.
+TEST(PlaneTree, LooksForTheGoalFromTheStartBeforeItDrawsAnything) {
+  Scenario s;
+  s.map.boundaries = {rectangle({0, 0}, {12, 8})};
+  s.map.obstacles = {rectangle({5.5, 0}, {6.5, 3.85}), rectangle({5.5, 4.15}, {6.5, 8})};
+  s.vehicle.footprint = {{}, 0.1};
+  s.vehicle.drive = Differential{0.5};
+  s.start = {1.5, 4, 0};
+  s.mission = Pose{10.5, 4, 0};
+  const Problem problem = Problem::prepare(std::move(s)).value();
+  const PlaneSpace space{problem};
+  for (const bool rewires : {false, true}) {
+    Grown grown;
+    const PlaneTree& first = grown.grow(space, {.samples = 3, .rewires = rewires, .first_path = true}, 1);
+    ASSERT_TRUE(first.is_found());
+    EXPECT_EQ(first.statistics().samples, 0);
+    EXPECT_EQ(first.length(), 9.0);
+    EXPECT_EQ(first.way().size(), 2U);
+    const PlaneTree& all = grown.grow(space, {.samples = 300, .rewires = rewires, .informed = true}, 1);
+    EXPECT_EQ(all.length(), 9.0);  // nothing is shorter
+    EXPECT_EQ(all.way().size(), 2U);
+  }
+}
+
 TEST(PlaneTree, RewiringHelpsAndMoreSamplesHelpMore) {
   const Problem problem = walls();
   const PlaneSpace space{problem};

@@ -38,6 +38,12 @@ std::int64_t for_refinement(const TreePlannerOptions& options, std::int64_t left
   return std::min(wanted, left / 2);
 }
 
+/// @param left of the budget before the search  @param edges what of it the tree may use
+std::string lines_spent(std::int64_t edges, std::int64_t left) {
+  if (edges >= left) return fmt::format("all {} of its budget were used", counted(left, "evaluation"));
+  return fmt::format("{} of the {} of its budget were used, the others being kept for moving the corners of a way", edges, counted(left, "evaluation"));
+}
+
 /// Behind the tree's samples: what the swarm did is spread over twice as many steps, iterations that do not fit left out evenly.
 void draw_swarm(SearchPicture& picture, const std::vector<std::vector<std::vector<Vec2>>>& iterations, const std::vector<std::vector<Vec2>>& ways) {
   if (iterations.empty()) return;
@@ -51,6 +57,9 @@ void draw_swarm(SearchPicture& picture, const std::vector<std::vector<std::vecto
   for (std::size_t i = 0; i < ways.size(); ++i) picture.ways.push_back({ways[i], step_of((i + 1) * all / ways.size())});
   picture.steps = last;
 }
+
+/// It knows no other space.
+bool is_planar(TreeMethod method) { return method == TreeMethod::woa_local || method == TreeMethod::woa_global; }
 
 const char* tree_name(TreeMethod method) { return method == TreeMethod::rrt ? "RRT" : "RRT*"; }
 
@@ -75,7 +84,7 @@ StateAnswer answer_of(const StateTree& tree, const StateQuery& query, const Plan
   const std::string ended = budget.cut_short()                      ? fmt::format("the {:g} s of its budget were over", budget.limits().seconds.value_or(0.0))
                             : statistics.samples >= options.samples ? fmt::format("all {} were drawn", counted(statistics.samples, "sample"))
                             : statistics.is_stuck                   ? std::string{"no state was free that a sample could be"}
-                                                                    : fmt::format("all {} of its budget were tested", counted(query.test.motions(), "motion"));
+                                                                    : motions_spent(query);
   answer.missed = fmt::format("{} found no way from start to goal before {}: its tree has {}, {} tested", label, ended, has, counted(query.test.motions(), "motion"));
   answer.nearest = tree.way_to(tree.nearest_to_goal());
   return answer;
@@ -86,8 +95,7 @@ StateAnswer answer_of(const StateTree& tree, const StateQuery& query, const Plan
 class TreePlanner::Ready {
  public:
   Ready(const Problem& problem, const TreePlannerOptions& options) : space_{problem} {
-    const bool is_in_plane = options.method == TreeMethod::woa_local || options.method == TreeMethod::woa_global;
-    if (!is_in_plane) kind_ = chosen_space(problem, options.space, problem.free_goal() == nullptr && !problem.footprint().is_disc() && !options.space.space && disc_serves(space_));
+    if (!is_planar(options.method)) kind_ = chosen_space(problem, options.space, problem.free_goal() == nullptr && !problem.footprint().is_disc() && !options.space.space && disc_serves(space_));
   }
   Ready(const Ready&) = delete;
   Ready& operator=(const Ready&) = delete;
@@ -97,7 +105,8 @@ class TreePlanner::Ready {
   PlanningResult plan(const TreePlannerOptions& options, std::string_view name, std::uint64_t seed, Budget& budget) const {
     using grid::failure;
     const Problem& problem = space_.problem();
-    if (kind_ != SteeringKind::plane) return among_states(options, name, seed, budget);
+    const std::int64_t samples = budget.limits().samples.value_or(options.tree.samples);
+    if (kind_ != SteeringKind::plane) return among_states(options, name, seed, samples, budget);
     if (options.space.space) {  // it was asked for
       if (std::string reason = space_refusal(problem, kind_, name, tree_name(options.method)); !reason.empty()) return tl::unexpected{failure(Status::no_path, std::move(reason))};
     }
@@ -114,7 +123,7 @@ class TreePlanner::Ready {
       return tl::unexpected{no_room(space_, !start)};
     }
     PlaneTreeOptions tree_options = options.tree;
-    tree_options.samples = budget.limits().samples.value_or(tree_options.samples);
+    tree_options.samples = samples;
     const std::int64_t left = budget.evaluations_left().value_or(no_limit);
     const std::int64_t edges = left == no_limit ? no_limit : left - for_refinement(options, left);
     auto lent = trees_.lend();
@@ -126,17 +135,25 @@ class TreePlanner::Ready {
     budget.count_evaluations(tree.statistics().edges);
     if (budget.canceled()) return tl::unexpected{failure(Status::canceled, fmt::format("canceled after {}", counted(tree.statistics().samples, "sample")))};
     if (!tree.is_found()) {
-      PlanningFailure failed = nothing_found(options, tree, tree_options, target, edges, budget);
+      bool is_hopeless = false;
+      PlanningFailure failed = nothing_found(options, tree, tree_options, target, edges, left, budget, is_hopeless);
       if (steering && failed.search) steering->draw(*failed.search);
+      const std::int64_t unspent = budget.limits().samples ? samples - tree.statistics().samples : samples;
+      if (is_hopeless || failed.failure.status != Status::no_path) return tl::unexpected{std::move(failed)};
+      if (!is_planar(options.method) && may_turn_instead(problem, options.space) && unspent > 0 && budget.evaluations_left() != 0) {
+        return after_the_disc(failed, among_states(options, name, seed, unspent, budget));
+      }
+      if (const std::string itself = footprint_sentence(problem); !itself.empty()) failed.failure.reason += "; " + itself;
+      failed.explanation = {failed.failure.reason + "."};
       return tl::unexpected{std::move(failed)};
     }
     return explained(options, tree, tree_options, steering, *start, *goal, seed, budget);
   }
 
  private:
-  PlanningResult among_states(const TreePlannerOptions& options, std::string_view name, std::uint64_t seed, Budget& budget) const {
+  PlanningResult among_states(const TreePlannerOptions& options, std::string_view name, std::uint64_t seed, std::int64_t samples, Budget& budget) const {
     PlaneTreeOptions tree_options = options.tree;
-    tree_options.samples = budget.limits().samples.value_or(tree_options.samples);
+    tree_options.samples = samples;
     const char* label = tree_name(options.method);
     auto lent = state_trees_.lend();
     const auto search = [&](const StateQuery& query) {
@@ -146,12 +163,13 @@ class TreePlanner::Ready {
     return StatePlanning{space_, kind_, options.space, name, label}.plan(search, options.shortens, seed, budget);
   }
 
-  PlanningFailure nothing_found(const TreePlannerOptions& options, const PlaneTree& tree, const PlaneTreeOptions& tree_options, const PlaneTarget& target, std::int64_t edges, Budget& budget) const {
+  PlanningFailure nothing_found(const TreePlannerOptions& options, const PlaneTree& tree, const PlaneTreeOptions& tree_options, const PlaneTarget& target, std::int64_t edges, std::int64_t left, Budget& budget,
+                                bool& is_hopeless) const {
     const PlaneTreeStatistics& statistics = tree.statistics();
     const bool is_late = budget.cut_short();
     const std::string ended = is_late                                  ? fmt::format("the {:g} s of its budget were over", budget.limits().seconds.value_or(0.0))
                               : statistics.samples >= tree_options.samples ? fmt::format("all {} were drawn", counted(statistics.samples, "sample"))
-                              : statistics.edges >= edges                  ? fmt::format("all {} of its budget were tested", counted(statistics.edges, "line"))
+                              : statistics.edges >= edges                  ? lines_spent(edges, left)
                                                                            : std::string{"no place was free that a sample could be"};
     std::uint32_t nearest = 0;
     double missing = std::numeric_limits<double>::infinity();
@@ -167,10 +185,9 @@ class TreePlanner::Ready {
                                      tree_name(options.method), space_.problem().footprint().is_disc() ? "a disc" : "the disc around the footprint,", space_.disc(), ended,
                                      counted(static_cast<std::int64_t>(tree.size()), "node"), counted(statistics.edges, "line"), grid::place(reached), missing);
     if (!is_late) {
-      if (const std::string more = unreachable_sentence(least_length(space_, budget), space_.problem()); !more.empty()) reason += "; " + more;
-    }
-    if (!space_.problem().footprint().is_disc() && space_.problem().free_goal() == nullptr && (options.method == TreeMethod::rrt || options.method == TreeMethod::rrt_star)) {
-      reason += "; the space \"turns\" plans for the footprint itself";
+      const std::string more = unreachable_sentence(least_length(space_, budget), space_.problem());
+      is_hopeless = !more.empty();
+      if (is_hopeless) reason += "; " + more;
     }
     PlanningFailure failed = grid::failure(is_late ? Status::timed_out : Status::no_path, reason);
     Alternative tried;
@@ -207,7 +224,9 @@ class TreePlanner::Ready {
     std::string what = fmt::format("This is the path of a sampling planner, {} for {} of {:.3f} m: another seed gives another path. Its tree has {} after {}, with {} tested", tree_name(options.method),
                                    space_.problem().footprint().is_disc() ? "a disc" : "the disc around the footprint,", space_.disc(), counted(static_cast<std::int64_t>(tree.size()), "node"),
                                    counted(statistics.samples, "sample"), counted(statistics.edges, "line"));
-    if (!tree_options.first_path && statistics.first_length) {
+    if (grown.size() <= 2) {
+      what += fmt::format("; the straight line from start to goal is free, and no way is shorter: {:.3f} m", tree.length());
+    } else if (!tree_options.first_path && statistics.first_length) {
       what += fmt::format("; the first way, {:.3f} m, was there after {}, the best one is {:.3f} m", *statistics.first_length, counted(statistics.first_path_after, "sample"), tree.length());
     } else {
       what += fmt::format(" when the first way was there, {:.3f} m", tree.length());
