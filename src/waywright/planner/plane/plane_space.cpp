@@ -55,7 +55,7 @@ PlaneSpace::PlaneSpace(const Problem& problem)
   options.cap = needed_ + std::max(2.0, 64.0 * options.cell);
   options.most_cells = most_cells;
   field_ = ClearanceField{problem.world(), region_, options};
-  table_ = ClearanceTiles{field_};
+  table_ = ClearanceTiles{problem.world(), field_, options.sharp};
   slack_ = field_.slack() + table_.step();
   table_reach_ = options.sharp;
   const double slack = field_.slack();
@@ -67,7 +67,7 @@ PlaneSpace::PlaneSpace(const Problem& problem)
 bool PlaneSpace::is_free(Vec2 point, double margin) const {
   const double known = table_.at(point);
   if (known > margin) return true;
-  if (known >= 0.0 && known + slack_ <= std::min(margin, table_reach_)) return false;
+  if ((known >= 0.0 && known + slack_ <= std::min(margin, table_reach_)) || ClearanceTiles::is_blocked(known)) return false;
   return keeps(point, point, margin, known > 0.0);
 }
 
@@ -85,6 +85,7 @@ bool PlaneSpace::is_free_between(Vec2 from, Vec2 to, double length, double room_
   const Vec2 along = (1.0 / length) * (to - from);
   const double least_step = field_.cell() / 16.0;  // less than that leads nowhere
   const double in_the_way = std::min(margin, table_reach_) - slack_ - margin;  // rooms up to this tell that something is too near
+  const auto is_in_the_way = [&](double room) { return (room <= in_the_way && room >= -margin) || ClearanceTiles::is_blocked(room + margin); };
   const auto blocked = [&](double at) {
     if (hit != nullptr) *hit = at;
     return false;
@@ -99,7 +100,7 @@ bool PlaneSpace::is_free_between(Vec2 from, Vec2 to, double length, double room_
   }
   std::size_t covered = 0;
   for (std::size_t i = 0; i < places; ++i) {
-    if (rooms[i] <= in_the_way && rooms[i] >= -margin) return blocked(at[i]);
+    if (is_in_the_way(rooms[i])) return blocked(at[i]);
     covered += rooms[i] > half ? 1 : 0;
   }
   if (covered == places) return true;
@@ -120,15 +121,13 @@ bool PlaneSpace::is_free_between(Vec2 from, Vec2 to, double length, double room_
   if (room_from > least_step) begin += room_from;
   if (room_to > least_step) end -= room_to;
   if (begin > end) return true;
-  if (in_the_way >= -margin) {
-    const double step = 0.75 * field_.cell();
-    const bool is_forwards = !(room_from > least_step);
-    for (double off = 0.0; off <= end - begin;) {
-      const double place = is_forwards ? begin + off : end - off;
-      const double room = table_.at(from + place * along) - margin;
-      if (room <= in_the_way && room >= -margin) return blocked(place);
-      off += std::max(room, step);
-    }
+  const double step = 0.75 * field_.cell();
+  const bool is_forwards = !(room_from > least_step);
+  for (double off = 0.0; off <= end - begin;) {
+    const double place = is_forwards ? begin + off : end - off;
+    const double room = table_.at(from + place * along) - margin;
+    if (is_in_the_way(room)) return blocked(place);
+    off += std::max(room, step);
   }
   const Vec2 first = from + begin * along;
   return keeps(first, end < length ? from + end * along : to, margin, table_.at(first) > 0.0);

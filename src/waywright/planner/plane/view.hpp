@@ -27,8 +27,13 @@ class PlaneView {
   Seen seen(Vec2 point) {
     const Vec2 to = point - from_;
     const double squared = squared_norm(to);
-    Bin& bin = bins_[index(to)];
-    if (bin.seen < 0.0) fill(index(to));
+    const std::size_t i = index(to);
+    Bin& bin = bins_[i];
+    if (bin.seen < 0.0) {
+      if (squared > bin.hidden) return Seen::no;
+      if (const double all = bundle_seen(i / bundle); squared < all * all) return Seen::yes;
+      fill(i);
+    }
     return squared < bin.seen ? Seen::yes : squared > bin.hidden ? Seen::no : Seen::not_told;
   }
   bool sees(Vec2 point) {
@@ -38,16 +43,16 @@ class PlaneView {
   /// What the table leaves open, asked of the space: as far as all is seen nothing has to be asked. @pre seen(point) is not_told
   bool sees_beyond(Vec2 point) const {
     const Vec2 to = point - from_;
-    const double away = norm(to), known = std::sqrt(bins_[index(to)].seen);
+    const double away = norm(to), known = std::sqrt(std::max(0.0, bins_[index(to)].seen));
     if (!(known > 0.0) || !(away > known)) return space_->is_free(point, from_);
     const Vec2 open = from_ + (known / away) * to;
     return space_->is_free(point, open, distance(point, open), space_->room(point), space_->room(open));
   }
-  /// True: the table tells that the place is seen from nowhere within `radius` (m) of the middle. @pre is_ready(), radius ≥ 0
-  bool hides(Vec2 middle, double radius);
+  /// What the table tells of all within `radius` (m) of the middle: the place is seen from nowhere there, or from everywhere. @pre is_ready(), radius ≥ 0
+  Seen seen_from_all(Vec2 middle, double radius);
 
  private:
-  static constexpr std::size_t count = 2048, together = 4;
+  static constexpr std::size_t count = 2048, together = 4, bundle = 32;
   struct Bin {
     double seen = -1.0;  // m², squared distance up to which all is seen; negative: not looked at yet
     double hidden = std::numeric_limits<double>::infinity();  // m², squared distance from which on nothing is
@@ -61,14 +66,15 @@ class PlaneView {
     return value < 4.0 ? value : 0.0;
   }
   static std::size_t index(Vec2 v) { return static_cast<std::size_t>(around(v) * (static_cast<double>(count) / 4.0)); }
-  static Vec2 direction(double around);
   void hide_behind_edges();
+  double bundle_seen(std::size_t b);
   void fill(std::size_t i);
 
   const PlaneSpace* space_ = nullptr;
   Vec2 from_{};
   double farthest_ = 0.0;  // m, of the region
   std::vector<Bin> bins_;
+  std::vector<double> bundles_;  // m up to which all of so many bins is seen; negative: not looked at yet
 };
 
 }  // namespace waywright
