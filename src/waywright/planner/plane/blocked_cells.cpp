@@ -64,25 +64,25 @@ std::vector<std::uint8_t> blocked_cells(const World& world, const ClearanceField
     }
   }
   // Depths: one more than the least of the neighbours, there and back. Beyond the field nothing is known.
-  const auto deepen = [&](std::size_t row, std::size_t column, std::ptrdiff_t along, std::ptrdiff_t up) {
-    std::uint8_t& cell = cells[row * columns + column];
-    if (cell == 0) return;
-    if (row == 0 || row + 1 == rows || column == 0 || column + 1 == columns) {
-      cell = 1;
-      return;
+  const auto deepen = [&](std::size_t row, std::ptrdiff_t side) {
+    if (row == 0 || row + 1 == rows) return;
+    for (std::size_t k = 1; k + 1 < columns; ++k) {
+      std::uint8_t* const cell = &cells[row * columns + (side < 0 ? k : columns - 1 - k)];
+      if (*cell == 0) continue;
+      const std::uint8_t* const next = cell + side * static_cast<std::ptrdiff_t>(columns);
+      const int least = std::min(std::min<int>(cell[side], next[0]), std::min<int>(next[-1], next[1]));
+      *cell = static_cast<std::uint8_t>(std::min<int>(*cell, std::min<int>(least + 1, deepest)));
     }
-    const std::uint8_t* const side = &cell + along;
-    const std::uint8_t* const next = &cell + up * static_cast<std::ptrdiff_t>(columns);
-    const int least = std::min(std::min<int>(*side, *next), std::min<int>(next[-1], next[1]));
-    cell = static_cast<std::uint8_t>(std::min<int>(cell, std::min<int>(least + 1, deepest)));
   };
-  for (std::uint8_t& cell : cells) cell = cell != 0 ? deepest : 0;
   for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t column = 0; column < columns; ++column) deepen(row, column, -1, -1);
+    const bool is_rim = row == 0 || row + 1 == rows;
+    for (std::size_t column = 0; column < columns; ++column) {
+      std::uint8_t& cell = cells[row * columns + column];
+      if (cell != 0) cell = is_rim || column == 0 || column + 1 == columns ? 1 : deepest;
+    }
   }
-  for (std::size_t row = rows; row-- > 0;) {
-    for (std::size_t column = columns; column-- > 0;) deepen(row, column, 1, 1);
-  }
+  for (std::size_t row = 0; row < rows; ++row) deepen(row, -1);
+  for (std::size_t row = rows; row-- > 0;) deepen(row, 1);
   return cells;
 }
 

@@ -65,17 +65,18 @@ void WhaleSteering::prepare_view(Vec2 goal) {
 }
 
 /// What was in the way of one line is often in the way of the next one, at the same distance: that is looked at first.
+bool WhaleSteering::is_surely_hit(const Aim& aim, const Candidate& candidate) const {
+  const Vec2 along = (1.0 / candidate.from_near) * (candidate.at - aim.near);
+  bool is_hit = false;
+  for (const double hit : hits_) is_hit |= (hit < candidate.from_near) & space_.is_surely_blocked(aim.near + hit * along, 0.0);
+  return is_hit;
+}
+
 bool WhaleSteering::is_seen_from_tree(const Aim& aim, const Candidate& candidate) {
-  ++lines_;
-  const Vec2 x = candidate.at;
   const double length = candidate.from_near;
   if (aim.room > length) return true;
-  const Vec2 along = (1.0 / length) * (x - aim.near);
-  bool is_hit = false;
-  for (const double hit : hits_) is_hit |= (hit < length) & space_.is_surely_blocked(aim.near + hit * along, 0.0);
-  if (is_hit) return false;
   double hit = -1.0;
-  if (space_.is_free(aim.near, x, length, aim.room, space_.room(x), hit)) return true;
+  if (space_.is_free(aim.near, candidate.at, length, aim.room, space_.room(candidate.at), hit)) return true;
   if (hit >= 0.0) {
     hits_[1] = hits_[0];
     hits_[0] = hit;
@@ -90,7 +91,7 @@ double WhaleSteering::whole_cost(const Aim& aim, const Candidate& candidate, dou
   const double hidden = is_hidden ? options_.view_weight : 0.0;
   double sum = candidate.base;
   if (sum + hidden > enough) return sum + hidden;
-  if (!is_seen_from_tree(aim, candidate)) {
+  if (candidate.is_hit || !is_seen_from_tree(aim, candidate)) {
     sum += options_.near_weight;
     if (sum + hidden > enough) return sum + hidden;
     if (!space_.is_free(x)) sum += blocked_weight;
@@ -114,13 +115,16 @@ bool WhaleSteering::try_out(const Aim& aim, Promising promising, float most, std
   const Vec2 off{x_[promising.agent], y_[promising.agent]};
   Candidate c;
   c.at = aim.sample + off;
+  c.from_near = distance(aim.near, c.at);
+  ++lines_;
+  c.is_hit = !(aim.room > c.from_near) && is_surely_hit(aim, c);
+  if (c.is_hit && best.cost < options_.near_weight) return false;  // costs that much at least
   c.goal = aim.seen;
   if (promising.is_goal_open) {
     c.goal = view_.seen(c.at);
     if (c.goal == PlaneView::Seen::no && !(promising.key + static_cast<float>(options_.view_weight) < most)) return false;
   }
   c.base = per_radius_ * distance(c.at, aim.sample) + per_diagonal_ * distance(c.at, aim.goal);
-  c.from_near = distance(aim.near, c.at);
   const double cost = whole_cost(aim, c, best.cost);
   if (!(cost < best.cost || (cost == best.cost && promising.agent < best_agent && best_agent < population_))) return false;
   best = {c.at, off, cost};
@@ -128,8 +132,8 @@ bool WhaleSteering::try_out(const Aim& aim, Promising promising, float most, std
 }
 
 /// The best of all agents and of what was best before. Agents have keys that are no more than what they cost, but for what is the same of all: the goal is no nearer than
-/// along the straight line from the sample to it. They are looked at in this order, until no other one can be better.
-void WhaleSteering::look(const Aim& aim, Best& best) {
+/// along the straight line from the sample to it. They are looked at in this order, until no other one can be better. What is enough() then.
+float WhaleSteering::look(const Aim& aim, Best& best) {
   const bool is_open = has_view_ && aim.seen == PlaneView::Seen::not_told;
   const auto first = static_cast<std::uint32_t>(flight_.least);
   float most = flight_.enough;
@@ -149,12 +153,13 @@ void WhaleSteering::look(const Aim& aim, Best& best) {
     std::size_t least = 0;
     for (std::size_t k = 1; k < count; ++k) least = promising[k].key < promising[least].key ? k : least;
     const Promising next = promising[least];
-    if (!(next.key < most)) return;
+    if (!(next.key < most)) break;
     promising[least] = promising[--count];
     if (!try_out(aim, next, most, best_agent, best)) continue;
     best_agent = next.agent;
     most = enough(aim, best);
   }
+  return most;
 }
 
 Vec2 WhaleSteering::aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
@@ -174,10 +179,9 @@ Vec2 WhaleSteering::aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
   lanes_.rank(flight_);
   while (true) {
     if (flight_.is_promising) {
-      look(aim, best);
+      flight_.enough = look(aim, best);
       flight_.leader_x = static_cast<float>(best.off.x);
       flight_.leader_y = static_cast<float>(best.off.y);
-      flight_.enough = enough(aim, best);
     }
     if (!(flight_.first < flight_.moves)) break;
     lanes_.fly(flight_);

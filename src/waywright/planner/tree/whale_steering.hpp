@@ -49,6 +49,7 @@ class WhaleSteering final : public TreeSteering {
     double from_near = 0.0;        // m
     Vec2 at{};
     PlaneView::Seen goal = PlaneView::Seen::not_told;
+    bool is_hit = false;           // its line from `near` is, see is_surely_hit
   };
   struct Promising {
     float key;
@@ -64,8 +65,9 @@ class WhaleSteering final : public TreeSteering {
   };
   void prepare_view(Vec2 goal);
   float enough(const Aim& aim, const Best& best) const;
-  void look(const Aim& aim, Best& best);
+  float look(const Aim& aim, Best& best);
   bool try_out(const Aim& aim, Promising promising, float most, std::size_t best_agent, Best& best);
+  bool is_surely_hit(const Aim& aim, const Candidate& candidate) const;
   bool is_seen_from_tree(const Aim& aim, const Candidate& candidate);
   double whole_cost(const Aim& aim, const Candidate& candidate, double enough);
 
