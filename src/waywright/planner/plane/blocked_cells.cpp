@@ -3,12 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
+#include <utility>
 
 namespace waywright {
 namespace {
 
 constexpr std::uint8_t deepest = 200;
 constexpr double grown = 1e-6;  // cells, for rounding
+
+/// Are eight cells from here on 0? Most are, and are passed over together.
+bool are_eight_0(const std::uint8_t* cells) {
+  std::uint64_t eight = 0;
+  std::memcpy(&eight, cells, sizeof eight);
+  return eight == 0;
+}
 
 /// Marks with 0 what a segment touches, row after row.
 void touch(const Segment& segment, const ClearanceField& field, std::vector<std::uint8_t>& cells) {
@@ -40,7 +49,7 @@ void touch(const Segment& segment, const ClearanceField& field, std::vector<std:
 std::vector<std::uint8_t> blocked_cells(const World& world, const ClearanceField& field) {
   const auto columns = static_cast<std::size_t>(field.columns()), rows = static_cast<std::size_t>(field.rows());
   std::vector<std::uint8_t> cells(columns * rows, 0);
-  if (cells.empty()) return cells;
+  if (rows < 3 || columns < 3) return cells;
   for (std::size_t row = 0; row < rows; ++row) {
     const float* const values = field.values().data() + (row << static_cast<unsigned>(field.row_shift()));
     for (std::size_t column = 0; column < columns; ++column) cells[row * columns + column] = values[column] == 0.0F ? 1 : 0;
@@ -52,7 +61,7 @@ std::vector<std::uint8_t> blocked_cells(const World& world, const ClearanceField
     const std::uint8_t* const below = row > 0 ? here - columns : nullptr;
     for (std::size_t first = 0; first < columns;) {
       if (here[first] == 0) {
-        ++first;
+        first += first + 8 <= columns && are_eight_0(here + first) ? 8 : 1;
         continue;
       }
       std::size_t end = first;
@@ -64,25 +73,31 @@ std::vector<std::uint8_t> blocked_cells(const World& world, const ClearanceField
     }
   }
   // Depths: one more than the least of the neighbours, there and back. Beyond the field nothing is known.
-  const auto deepen = [&](std::size_t row, std::ptrdiff_t side) {
-    if (row == 0 || row + 1 == rows) return;
-    for (std::size_t k = 1; k + 1 < columns; ++k) {
-      std::uint8_t* const cell = &cells[row * columns + (side < 0 ? k : columns - 1 - k)];
-      if (*cell == 0) continue;
-      const std::uint8_t* const next = cell + side * static_cast<std::ptrdiff_t>(columns);
-      const int least = std::min(std::min<int>(cell[side], next[0]), std::min<int>(next[-1], next[1]));
-      *cell = static_cast<std::uint8_t>(std::min<int>(*cell, std::min<int>(least + 1, deepest)));
-    }
+  const auto deepen = [&](std::uint8_t* cell, std::ptrdiff_t side) {
+    const std::uint8_t* const next = cell + side * static_cast<std::ptrdiff_t>(columns);
+    const int least = std::min(std::min<int>(cell[side], next[0]), std::min<int>(next[-1], next[1]));
+    *cell = static_cast<std::uint8_t>(std::min<int>(*cell, std::min<int>(least + 1, deepest)));
   };
   for (std::size_t row = 0; row < rows; ++row) {
     const bool is_rim = row == 0 || row + 1 == rows;
     for (std::size_t column = 0; column < columns; ++column) {
       std::uint8_t& cell = cells[row * columns + column];
-      if (cell != 0) cell = is_rim || column == 0 || column + 1 == columns ? 1 : deepest;
+      if (cell == 0) {
+        column += column + 8 <= columns && are_eight_0(&cell) ? 7 : 0;
+        continue;
+      }
+      const bool has_neighbours = !is_rim && column > 0 && column + 1 < columns;
+      cell = has_neighbours ? deepest : 1;
+      if (has_neighbours) deepen(&cell, -1);
     }
   }
-  for (std::size_t row = 0; row < rows; ++row) deepen(row, -1);
-  for (std::size_t row = rows; row-- > 0;) deepen(row, 1);
+  for (std::size_t row = rows - 1; row-- > 1;) {
+    std::uint8_t* const here = &cells[row * columns];
+    for (std::size_t column = columns - 1; column-- > 1;) {
+      if (here[column] != 0) deepen(here + column, 1);
+      else if (column >= 8 && are_eight_0(here + column - 7)) column -= 7;
+    }
+  }
   return cells;
 }
 

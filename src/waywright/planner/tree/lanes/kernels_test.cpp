@@ -162,7 +162,9 @@ TEST(WhaleLanes, EveryInstructionSetFliesAsThePlainLoopDoes) {
           if (keys[i] < keys[least]) least = i;
         }
         ASSERT_EQ(flight.is_promising, keys[least] < enough);
-        if (flight.is_promising) ASSERT_EQ(flight.least, least);
+        if (flight.is_promising) {
+          ASSERT_EQ(flight.least, least);
+        }
       };
       kernels.rank(flight);
       expect_keys();
