@@ -14,7 +14,7 @@ namespace {
 constexpr double cells_across = 600.0;        // of the table, along the longer side of the region
 constexpr double least_cell = 0.02;           // m
 constexpr std::size_t most_cells = 1U << 20U;
-constexpr std::size_t places = 4;             // of a line that are looked at at once
+constexpr std::size_t first_pieces = 4, most_pieces = 12;  // of a line that are looked at at once
 
 /// Taut ways lie in the hull of the ends and of obstacles grown by what is kept from them; more room serves searches that are not taut.
 Box region_of(const Problem& problem, double needed) {
@@ -55,7 +55,7 @@ PlaneSpace::PlaneSpace(const Problem& problem)
   options.cap = needed_ + std::max(2.0, 64.0 * options.cell);
   options.most_cells = most_cells;
   field_ = ClearanceField{problem.world(), region_, options};
-  table_ = ClearanceTiles{field_};
+  table_ = ClearanceTiles{problem.world(), field_, options.sharp};
   slack_ = field_.slack() + table_.step();
   table_reach_ = options.sharp;
   const double slack = field_.slack();
@@ -67,7 +67,7 @@ PlaneSpace::PlaneSpace(const Problem& problem)
 bool PlaneSpace::is_free(Vec2 point, double margin) const {
   const double known = table_.at(point);
   if (known > margin) return true;
-  if (known >= 0.0 && known + slack_ <= std::min(margin, table_reach_)) return false;
+  if ((known >= 0.0 && known + slack_ <= std::min(margin, table_reach_)) || ClearanceTiles::is_blocked(known)) return false;
   return keeps(point, point, margin, known > 0.0);
 }
 
@@ -77,61 +77,54 @@ bool PlaneSpace::is_free(Vec2 from, Vec2 to, double margin) const {
   return is_free_between(from, to, length, table_.at(from) - margin, table_.at(to) - margin, margin, nullptr);
 }
 
-/// What both ends do not cover is looked at in some places at once, which do not wait for each other: they may cover it, or one may be too near to something for sure. Else
-/// from both ends as far as the table allows, in turn. Where that stops, going on from there tells whether something is too near; only what the table leaves open is
-/// asked of the outlines.
+/// What both ends do not cover is cut into pieces, which are looked at in their middles and do not wait for each other: the middle's room covers the piece, or part of
+/// it, and what is left is cut in two, or something is too near there for sure. What stays open when pieces are short, or are many, is asked of the outlines.
 bool PlaneSpace::is_free_between(Vec2 from, Vec2 to, double length, double room_from, double room_to, double margin, double* hit) const {
   if (!(length > 0.0)) return is_free(from, margin);
   const Vec2 along = (1.0 / length) * (to - from);
-  const double least_step = field_.cell() / 16.0;  // less than that leads nowhere
+  const double shortest = 0.25 * field_.cell();  // half a piece; less than that leads nowhere
   const double in_the_way = std::min(margin, table_reach_) - slack_ - margin;  // rooms up to this tell that something is too near
-  const auto blocked = [&](double at) {
-    if (hit != nullptr) *hit = at;
-    return false;
+  const double begin = std::max(0.0, room_from), end = length - std::max(0.0, room_to);  // what is not known to be free yet
+  if (begin > end) return true;
+  struct Stretch {
+    double middle, half;
   };
-  double begin = std::max(0.0, room_from), end = length - std::max(0.0, room_to);  // what is not known to be free yet
-  if (begin > end) return true;
-  const double part = (end - begin) / places, half = 0.5 * part;
-  std::array<double, places> at, rooms;
-  for (std::size_t i = 0; i < places; ++i) {
-    at[i] = begin + (static_cast<double>(i) + 0.5) * part;
-    rooms[i] = table_.at(from + at[i] * along) - margin;
-  }
-  std::size_t covered = 0;
-  for (std::size_t i = 0; i < places; ++i) {
-    if (rooms[i] <= in_the_way && rooms[i] >= -margin) return blocked(at[i]);
-    covered += rooms[i] > half ? 1 : 0;
-  }
-  if (covered == places) return true;
-  std::size_t first_open = 0, last_open = places - 1;
-  while (rooms[first_open] > half) ++first_open;
-  while (rooms[last_open] > half) --last_open;
-  if (first_open > 0) begin = at[first_open - 1];
-  if (last_open + 1 < places) end = at[last_open + 1];
-  room_from = first_open > 0 ? rooms[first_open - 1] : table_.at(from + begin * along) - margin;
-  room_to = last_open + 1 < places ? rooms[last_open + 1] : table_.at(from + end * along) - margin;
-  while (room_from > least_step && room_to > least_step) {
-    begin += room_from;  // nothing is nearer than what is needed to any point of the way up to there
-    end -= room_to;
-    if (begin > end) return true;
-    room_from = table_.at(from + begin * along) - margin;
-    room_to = table_.at(from + end * along) - margin;
-  }
-  if (room_from > least_step) begin += room_from;
-  if (room_to > least_step) end -= room_to;
-  if (begin > end) return true;
-  if (in_the_way >= -margin) {
-    const double step = 0.75 * field_.cell();
-    const bool is_forwards = !(room_from > least_step);
-    for (double off = 0.0; off <= end - begin;) {
-      const double place = is_forwards ? begin + off : end - off;
-      const double room = table_.at(from + place * along) - margin;
-      if (room <= in_the_way && room >= -margin) return blocked(place);
-      off += std::max(room, step);
+  std::array<Stretch, 2 * most_pieces> memory, other_memory;
+  Stretch *pieces = memory.data(), *parts = other_memory.data();
+  std::size_t count = first_pieces;
+  const double half_of_first = 0.5 * (end - begin) / static_cast<double>(first_pieces);
+  for (std::size_t i = 0; i < count; ++i) pieces[i] = {begin + static_cast<double>(2 * i + 1) * half_of_first, half_of_first};
+  double open_begin = length, open_end = 0.0;
+  while (count > 0) {
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto [middle, half] = pieces[i];
+      const double room = table_.at(from + middle * along) - margin;
+      if ((room <= in_the_way && room >= -margin) || ClearanceTiles::is_blocked(room + margin)) {
+        if (hit != nullptr) *hit = middle;
+        return false;
+      }
+      if (room > half) continue;
+      if (half < shortest) {
+        open_begin = std::min(open_begin, middle - half);
+        open_end = std::max(open_end, middle + half);
+        continue;
+      }
+      const double covered = std::max(0.0, room), quarter = 0.5 * (half - covered);
+      parts[left++] = {middle - covered - quarter, quarter};
+      parts[left++] = {middle + covered + quarter, quarter};
     }
+    count = left;
+    std::swap(pieces, parts);
+    if (count > most_pieces) break;
   }
-  const Vec2 first = from + begin * along;
-  return keeps(first, end < length ? from + end * along : to, margin, table_.at(first) > 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    open_begin = std::min(open_begin, pieces[i].middle - pieces[i].half);
+    open_end = std::max(open_end, pieces[i].middle + pieces[i].half);
+  }
+  if (open_begin > open_end) return true;
+  const Vec2 first = open_begin > 0.0 ? from + open_begin * along : from;
+  return keeps(first, open_end < length ? from + open_end * along : to, margin, table_.at(first) > 0.0);
 }
 
 bool PlaneSpace::may_join(Vec2 from, Vec2 to) const {

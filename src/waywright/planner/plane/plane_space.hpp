@@ -49,7 +49,7 @@ class PlaneSpace {
   /// The table is sure that no place within `off` (m) of the point is free.
   bool is_surely_blocked(Vec2 point, double off) const {
     const double known = table_.at(point);
-    return known >= 0.0 && known + slack_ + off <= std::min(needed_, table_reach_);
+    return (known >= 0.0 && known + slack_ + off <= std::min(needed_, table_reach_)) || ClearanceTiles::depth(known) >= off;
   }
 
  private:

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "waywright/core/random.hpp"
 #include "waywright/planner/plane/plane_ends.hpp"
 #include "waywright/planner/plane/point_bins.hpp"
@@ -83,6 +85,34 @@ TEST(PlaneSpace, LinesAreFreeAsTheExactOutlinesHaveIt) {
   EXPECT_GT(blocked, 5000);
 }
 
+TEST(PlaneSpace, TellsMostOfWhatIsBlockedAndHowFarAround) {
+  Random random{21};
+  int blocked = 0, told = 0, told_around = 0;
+  for (int map = 0; map < 6; ++map) {
+    const Problem problem = hall(random, map % 2 == 0 ? 0.0 : 0.2, 12);
+    const PlaneSpace space{problem};
+    for (int i = 0; i < 5000; ++i) {
+      const Vec2 at{random.uniform(-0.1, 12.1), random.uniform(-0.1, 9.1)};
+      const double off = i % 2 == 0 ? 0.0 : random.uniform(0.0, 0.3);
+      const bool is_told = space.is_surely_blocked(at, off);
+      const bool is_of_a_point = map % 2 == 0;  // around which no ring of what is needed tells it
+      if (is_of_a_point && off == 0.0 && problem.world().least_clearance(std::vector<Vec2>{at}, 0.0, 10.0) <= space.needed()) {
+        ++blocked;
+        told += is_told ? 1 : 0;
+      }
+      if (!is_told) continue;
+      for (int k = 0; k < 8; ++k) {
+        const Vec2 there = at + random.uniform(0.0, off) * unit(wrap(random.uniform(0.0, two_pi)));
+        ASSERT_LE(problem.world().least_clearance(std::vector<Vec2>{there}, 0.0, 10.0), space.needed()) << at.x << " " << at.y << " " << off;
+      }
+      told_around += is_of_a_point && off > 0.1 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(blocked, 1000);
+  EXPECT_GT(told, 0.5 * blocked);
+  EXPECT_GT(told_around, 30);
+}
+
 TEST(PlaneSpace, TheFreeAreaIsNotUnderTheTruth) {
   Random random{3};
   const Problem problem = hall(random, 0.3, 10);
@@ -124,6 +154,30 @@ TEST(PlaneView, SeesWhatIsFreeAndIsMostlyToldByItsTable) {
   EXPECT_GT(hidden, 20'000);
   EXPECT_LT(hidden, asked - 20'000);
   EXPECT_GT(told, 0.9 * asked);
+}
+
+TEST(PlaneView, DiscsFromWhichItIsSeenEverywhereOrNowhere) {
+  Random random{23};
+  std::array<int, 3> told{};
+  for (int map = 0; map < 8; ++map) {
+    const Problem problem = hall(random, 0.1 * (map % 3), map < 4 ? 3 : 12);
+    const PlaneSpace space{problem};
+    const Vec2 from{random.uniform(0.5, 11.5), random.uniform(0.5, 8.5)};
+    if (!space.is_free(from)) continue;
+    PlaneView view{space, from};
+    for (int i = 0; i < 2000; ++i) {
+      const Vec2 middle{random.uniform(0.0, 12.0), random.uniform(0.0, 9.0)};
+      const double radius = random.uniform(0.05, 2.5);
+      const PlaneView::Seen seen = view.seen_from_all(middle, radius);
+      ++told[static_cast<std::size_t>(seen)];
+      if (seen == PlaneView::Seen::not_told) continue;
+      for (int k = 0; k < 10; ++k) {
+        const Vec2 at = middle + radius * (k < 4 ? 1.0 : random.uniform()) * unit(wrap(random.uniform(0.0, two_pi)));
+        ASSERT_EQ(space.is_free(at, from), seen == PlaneView::Seen::yes) << map << ": " << at.x << " " << at.y;
+      }
+    }
+  }
+  for (const int n : told) EXPECT_GT(n, 200);
 }
 
 TEST(PlaneEnds, ARunLeadsOutOfWhereTheDiscCannotStand) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -11,7 +12,7 @@
 namespace waywright {
 
 /// Directions from the place are cut into bins. Up to some distance all of a bin is seen, from some distance on nothing of it: behind an edge that spans it, or behind
-/// where its middle comes too near to something whatever the ray. The space's table tells, once the bin is asked for. What lies between is asked of the space. One object, one thread; the space outlives it.
+/// where its middle comes too near to something whatever the ray. The space's table tells, once the bin is asked for. What lies between is asked of the edges that the bin meets. One object, one thread; the space outlives it.
 ///
 /// Law: sees(point) is space.is_free(point, from()), up to rounding where the line just touches.
 class PlaneView {
@@ -27,27 +28,26 @@ class PlaneView {
   Seen seen(Vec2 point) {
     const Vec2 to = point - from_;
     const double squared = squared_norm(to);
-    Bin& bin = bins_[index(to)];
-    if (bin.seen < 0.0) fill(index(to));
+    const std::size_t i = index(to);
+    Bin& bin = bins_[i];
+    if (bin.seen < 0.0) {
+      if (squared > bin.hidden) return Seen::no;
+      if (const double all = bundle_seen(i / bundle); squared < all * all) return Seen::yes;
+      fill(i);
+    }
     return squared < bin.seen ? Seen::yes : squared > bin.hidden ? Seen::no : Seen::not_told;
   }
   bool sees(Vec2 point) {
     const Seen told = seen(point);
     return told == Seen::not_told ? sees_beyond(point) : told == Seen::yes;
   }
-  /// What the table leaves open, asked of the space: as far as all is seen nothing has to be asked. @pre seen(point) is not_told
-  bool sees_beyond(Vec2 point) const {
-    const Vec2 to = point - from_;
-    const double away = norm(to), known = std::sqrt(bins_[index(to)].seen);
-    if (!(known > 0.0) || !(away > known)) return space_->is_free(point, from_);
-    const Vec2 open = from_ + (known / away) * to;
-    return space_->is_free(point, open, distance(point, open), space_->room(point), space_->room(open));
-  }
-  /// True: the table tells that the place is seen from nowhere within `radius` (m) of the middle. @pre is_ready(), radius ≥ 0
-  bool hides(Vec2 middle, double radius);
+  /// What the table leaves open: the few edges that are seen in the place's direction are looked at. @pre seen(point) is not_told
+  bool sees_beyond(Vec2 point);
+  /// What the table tells of all within `radius` (m) of the middle: the place is seen from nowhere there, or from everywhere. @pre is_ready(), radius ≥ 0
+  Seen seen_from_all(Vec2 middle, double radius);
 
  private:
-  static constexpr std::size_t count = 2048, together = 4;
+  static constexpr std::size_t count = 2048, together = 4, bundle = 32;
   struct Bin {
     double seen = -1.0;  // m², squared distance up to which all is seen; negative: not looked at yet
     double hidden = std::numeric_limits<double>::infinity();  // m², squared distance from which on nothing is
@@ -61,14 +61,24 @@ class PlaneView {
     return value < 4.0 ? value : 0.0;
   }
   static std::size_t index(Vec2 v) { return static_cast<std::size_t>(around(v) * (static_cast<double>(count) / 4.0)); }
-  static Vec2 direction(double around);
   void hide_behind_edges();
+  void gather_edges();
+  double bundle_seen(std::size_t b);
   void fill(std::size_t i);
 
   const PlaneSpace* space_ = nullptr;
   Vec2 from_{};
   double farthest_ = 0.0;  // m, of the region
   std::vector<Bin> bins_;
+  // Edges of each bin, grown by what is needed: the i-th bin's are of_bin_[first_[i]] up to of_bin_[first_[i + 1]]. Made when the first is asked for.
+  struct Edge {
+    Vec2 a, b;     // from the place
+    double near;   // m, no point of it is nearer
+  };
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> first_, of_bin_;
+  bool is_free_ = false, is_gathered_ = false;  // the place is
+  std::vector<double> bundles_;  // m up to which all of so many bins is seen; negative: not looked at yet
 };
 
 }  // namespace waywright

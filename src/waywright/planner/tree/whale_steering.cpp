@@ -17,32 +17,36 @@ WhaleSteering::WhaleSteering(const PlaneSpace& space, const WhaleSteeringOptions
       options_{options},
       population_{static_cast<std::size_t>(options.population)},
       per_radius_{options.sample_weight / options.radius},
-      per_diagonal_{options.goal_weight / norm(space.region().high - space.region().low)} {
-  const Box& region = space.region();
-  const double farthest = std::max(std::max(std::abs(region.low.x), std::abs(region.low.y)), std::max(std::abs(region.high.x), std::abs(region.high.y))) + options.radius;
-  rounding_ = 1e-14 * (per_radius_ + per_diagonal_) * farthest + 1e-12 * (options.sample_weight + options.goal_weight);
+      per_diagonal_{options.goal_weight / norm(space.region().high - space.region().low)},
+      rounding_{1e-6 * (options.sample_weight + options.radius * per_diagonal_)} {
   const std::size_t iterations = static_cast<std::size_t>(options.iterations), moves = population_ * iterations;
-  for (std::vector<double>* values : {&x_, &y_, &new_x_, &new_y_, &keys_}) values->resize(population_ + whale_lanes::spare);
-  for (std::vector<double>* values : {&reaches_, &factors_, &scales_}) values->resize(moves + whale_lanes::spare);
-  seen_.resize(population_, PlaneView::Seen::not_told);
-  drawing_.agents = population_;
-  drawing_.moves = moves;
+  for (std::vector<float>* values : {&x_, &y_, &before_x_, &before_y_, &keys_}) values->resize(population_ + whale_lanes::spare);
+  for (std::vector<float>* values : {&reaches_, &factors_, &scales_}) values->resize(moves + whale_lanes::spare);
+  others_.resize(moves + whale_lanes::spare);
+  promising_.resize(population_);
+  drawing_.agents = flight_.agents = population_;
+  drawing_.moves = flight_.moves = moves;
+  drawing_.spiral = static_cast<float>(options.whale.spiral);
+  drawing_.choice = static_cast<float>(options.whale.choice);
+  drawing_.threshold = static_cast<float>(options.whale.threshold);
+  drawing_.radius = flight_.radius = static_cast<float>(options.radius);
   for (std::size_t m = 0; m < moves; ++m) {
-    reaches_[m] = whale_reach(options.whale.start, m / population_, iterations);
-    if (reaches_[m] >= options.whale.threshold) drawing_.searching = m + 1;  // |A| is no greater than it
+    reaches_[m] = static_cast<float>(whale_reach(options.whale.start, m / population_, iterations));
+    if (reaches_[m] >= drawing_.threshold) flight_.searching = m + 1;  // |A| is no greater than it
   }
-  searches_.resize(drawing_.searching + whale_lanes::spare);
   drawing_.reach = reaches_.data();
-  drawing_.spiral = options.whale.spiral;
-  drawing_.choice = options.whale.choice;
-  drawing_.threshold = options.whale.threshold;
-  drawing_.radius = options.radius;
+  drawing_.x = flight_.x = x_.data();
+  drawing_.y = flight_.y = y_.data();
   drawing_.factor = factors_.data();
   drawing_.scale = scales_.data();
-  drawing_.searches = searches_.data();
-  ranking_.agents = population_;
-  ranking_.per_radius = per_radius_;
-  ranking_.keys = keys_.data();
+  drawing_.other = others_.data();
+  flight_.factor = factors_.data();
+  flight_.scale = scales_.data();
+  flight_.other = others_.data();
+  flight_.before_x = before_x_.data();
+  flight_.before_y = before_y_.data();
+  flight_.keys = keys_.data();
+  flight_.per_radius = static_cast<float>(per_radius_);
 }
 
 double WhaleSteering::cost(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal) const {
@@ -61,17 +65,18 @@ void WhaleSteering::prepare_view(Vec2 goal) {
 }
 
 /// What was in the way of one line is often in the way of the next one, at the same distance: that is looked at first.
-bool WhaleSteering::is_seen_from_tree(const Aim& aim, const Candidate& candidate) {
-  ++lines_;
-  const Vec2 x = candidate.at;
-  const double length = candidate.from_near;
-  if (aim.room + candidate.room > length) return true;
-  const Vec2 along = (1.0 / length) * (x - aim.near);
+bool WhaleSteering::is_surely_hit(const Aim& aim, const Candidate& candidate) const {
+  const Vec2 along = (1.0 / candidate.from_near) * (candidate.at - aim.near);
   bool is_hit = false;
-  for (const double hit : hits_) is_hit |= (hit < length) & space_.is_surely_blocked(aim.near + hit * along, 0.0);
-  if (is_hit) return false;
+  for (const double hit : hits_) is_hit |= (hit < candidate.from_near) & space_.is_surely_blocked(aim.near + hit * along, 0.0);
+  return is_hit;
+}
+
+bool WhaleSteering::is_seen_from_tree(const Aim& aim, const Candidate& candidate) {
+  const double length = candidate.from_near;
+  if (aim.room > length) return true;
   double hit = -1.0;
-  if (space_.is_free(aim.near, x, length, aim.room, candidate.room, hit)) return true;
+  if (space_.is_free(aim.near, candidate.at, length, aim.room, space_.room(candidate.at), hit)) return true;
   if (hit >= 0.0) {
     hits_[1] = hits_[0];
     hits_[0] = hit;
@@ -79,115 +84,109 @@ bool WhaleSteering::is_seen_from_tree(const Aim& aim, const Candidate& candidate
   return false;
 }
 
-/// The cost of a place, term by term, no further than to where it is `enough` at least.
+/// The cost of a place, term by term, no further than to where it is more than `enough`.
 double WhaleSteering::whole_cost(const Aim& aim, const Candidate& candidate, double enough) {
   const Vec2 x = candidate.at;
+  const bool is_hidden = candidate.goal == PlaneView::Seen::no;
+  const double hidden = is_hidden ? options_.view_weight : 0.0;
   double sum = candidate.base;
-  if (!is_seen_from_tree(aim, candidate)) {
+  if (sum + hidden > enough) return sum + hidden;
+  if (candidate.is_hit || !is_seen_from_tree(aim, candidate)) {
     sum += options_.near_weight;
-    if (sum >= enough) return sum;
+    if (sum + hidden > enough) return sum + hidden;
     if (!space_.is_free(x)) sum += blocked_weight;
-    if (sum >= enough) return sum;
+    if (sum + hidden > enough) return sum + hidden;
   }
-  if (candidate.goal == PlaneView::Seen::yes) return sum;
   if (candidate.goal == PlaneView::Seen::not_told) {
     ++lines_;
     if (has_view_ ? view_.sees_beyond(x) : space_.is_free(x, aim.goal)) return sum;
   }
-  return sum + options_.view_weight;
+  return candidate.goal == PlaneView::Seen::yes ? sum : sum + options_.view_weight;
 }
 
-/// What is cheap of an agent's cost.
-void WhaleSteering::told(const Aim& aim, Candidate& c) const {
-  c.at = aim.sample + Vec2{x_[c.agent], y_[c.agent]};
-  c.base = per_radius_ * distance(c.at, aim.sample) + per_diagonal_ * distance(c.at, aim.goal);
-  c.room = space_.room(c.at);
+/// Keys that are not under it cannot lead to a lesser cost.
+float WhaleSteering::enough(const Aim& aim, const Best& best) const {
+  const double most = best.cost - aim.same;
+  return static_cast<float>(most + rounding_ + 1e-6 * std::abs(most));
+}
+
+/// Replaces the best where an agent is better; of equal ones of this population the first is. `best_agent`: of this population, or its size where it is none of it.
+bool WhaleSteering::try_out(const Aim& aim, Promising promising, float most, std::size_t best_agent, Best& best) {
+  const Vec2 off{x_[promising.agent], y_[promising.agent]};
+  Candidate c;
+  c.at = aim.sample + off;
   c.from_near = distance(aim.near, c.at);
-  c.goal = aim.is_hidden ? PlaneView::Seen::no : seen_[c.agent];
-  c.least = c.goal == PlaneView::Seen::no ? c.base + options_.view_weight : c.base;
+  ++lines_;
+  c.is_hit = !(aim.room > c.from_near) && is_surely_hit(aim, c);
+  if (c.is_hit && best.cost < options_.near_weight) return false;  // costs that much at least
+  c.goal = aim.seen;
+  if (promising.is_goal_open) {
+    c.goal = view_.seen(c.at);
+    if (c.goal == PlaneView::Seen::no && !(promising.key + static_cast<float>(options_.view_weight) < most)) return false;
+  }
+  c.base = per_radius_ * distance(c.at, aim.sample) + per_diagonal_ * distance(c.at, aim.goal);
+  const double cost = whole_cost(aim, c, best.cost);
+  if (!(cost < best.cost || (cost == best.cost && promising.agent < best_agent && best_agent < population_))) return false;
+  best = {c.at, off, cost};
+  return true;
 }
 
-/// The best of all agents and of what was best before; of equal ones the first. Agents have keys that are no more than what they cost, but for what is the same of all:
-/// the goal is no nearer than along the straight line from the sample to it. They are looked at in this order, until no other one can be better.
-void WhaleSteering::look(const Aim& aim, Best& best) {
-  evaluations_ += options_.population;
-  ranking_.x = x_.data();
-  ranking_.y = y_.data();
-  lanes_.rank(ranking_);
-  const double same = per_diagonal_ * aim.away + (aim.is_hidden ? options_.view_weight : 0.0) - rounding_;
-  double* const keys = keys_.data();
-  std::size_t next = ranking_.least;
-  const auto rank_again = [&] {
-    next = 0;
-    for (std::size_t i = 1; i < population_; ++i) next = keys[i] < keys[next] ? i : next;
-  };
-  if (!aim.is_hidden) {
-    for (std::size_t i = 0; i < population_; ++i) {
-      if (!(keys[i] + same < best.cost)) continue;
-      seen_[i] = has_view_ ? view_.seen(aim.sample + Vec2{x_[i], y_[i]}) : PlaneView::Seen::not_told;
-      if (seen_[i] == PlaneView::Seen::no) keys[i] += options_.view_weight;
-    }
-    rank_again();
+/// The best of all agents and of what was best before. Agents have keys that are no more than what they cost, but for what is the same of all: the goal is no nearer than
+/// along the straight line from the sample to it. They are looked at in this order, until no other one can be better. What is enough() then.
+float WhaleSteering::look(const Aim& aim, Best& best) {
+  const bool is_open = has_view_ && aim.seen == PlaneView::Seen::not_told;
+  const auto first = static_cast<std::uint32_t>(flight_.least);
+  float most = flight_.enough;
+  std::size_t best_agent = population_;
+  if (try_out(aim, {keys_[first], first, is_open}, most, best_agent, best)) {
+    best_agent = first;
+    most = enough(aim, best);
   }
-  std::uint32_t best_agent = std::numeric_limits<std::uint32_t>::max();
-  while (keys[next] + same < best.cost) {
-    keys[next] = std::numeric_limits<double>::infinity();
-    Candidate candidate;
-    candidate.agent = static_cast<std::uint32_t>(next);
-    told(aim, candidate);
-    const bool is_before = candidate.agent < best_agent && best_agent < population_;  // of this population, where equal costs go to the first
-    const double enough = is_before ? std::nextafter(best.cost, std::numeric_limits<double>::infinity()) : best.cost;
-    if (candidate.least < enough) {
-      const double cost = whole_cost(aim, candidate, enough);
-      if (cost < enough) {
-        best = {candidate.at, {x_[candidate.agent], y_[candidate.agent]}, cost};
-        best_agent = candidate.agent;
-      }
-    }
-    bool is_any = false;
-    for (std::size_t i = 0; i < population_; ++i) is_any |= keys[i] + same < best.cost;
-    if (!is_any) break;
-    rank_again();
+  keys_[first] = std::numeric_limits<float>::infinity();
+  Promising* const promising = promising_.data();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < population_; ++i) {  // each is written, and stays where it could be better: no branch to guess
+    promising[count] = {keys_[i], static_cast<std::uint32_t>(i), is_open};
+    count += keys_[i] < most ? 1 : 0;
   }
+  while (count > 0) {
+    std::size_t least = 0;
+    for (std::size_t k = 1; k < count; ++k) least = promising[k].key < promising[least].key ? k : least;
+    const Promising next = promising[least];
+    if (!(next.key < most)) break;
+    promising[least] = promising[--count];
+    if (!try_out(aim, next, most, best_agent, best)) continue;
+    best_agent = next.agent;
+    most = enough(aim, best);
+  }
+  return most;
 }
 
 Vec2 WhaleSteering::aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
   prepare_view(goal);
   sample_ = sample;
   hits_.fill(std::numeric_limits<double>::infinity());
-  Aim aim{near, sample, goal, space_.room(near), has_view_ && view_.hides(sample, options_.radius), sample - goal};
-  aim.away = norm(aim.from_goal);
-  aim.from_goal = (aim.away > 0.0 ? 1.0 / aim.away : 0.0) * aim.from_goal;
-  ranking_.along_x = per_diagonal_ * aim.from_goal.x;
-  ranking_.along_y = per_diagonal_ * aim.from_goal.y;
+  Aim aim{near, sample, goal, space_.room(near), has_view_ ? view_.seen_from_all(sample, options_.radius) : PlaneView::Seen::not_told, distance(sample, goal), 0.0};
+  aim.same = per_diagonal_ * aim.away + (aim.seen == PlaneView::Seen::no ? options_.view_weight : 0.0);
+  const Vec2 along = (aim.away > 0.0 ? per_diagonal_ / aim.away : 0.0) * (sample - goal);
+  flight_.along_x = static_cast<float>(along.x);
+  flight_.along_y = static_cast<float>(along.y);
   drawing_.counter = random.take(whale_lanes::drawn(drawing_.agents, drawing_.moves));
-  drawing_.x = x_.data();
-  drawing_.y = y_.data();
   lanes_.draw(drawing_);
   Best best{sample, {}, std::numeric_limits<double>::infinity()};
-  look(aim, best);
-  whale_lanes::Moving moving;
-  moving.agents = population_;
-  moving.radius = options_.radius;
-  const whale_lanes::Search* search = searches_.data();
-  const whale_lanes::Search* const searches_end = search + drawing_.searches_count;
-  for (; moving.first < drawing_.moves; moving.first += population_) {
-    moving.leader_x = best.off.x;
-    moving.leader_y = best.off.y;
-    moving.factor = factors_.data() + moving.first;
-    moving.scale = scales_.data() + moving.first;
-    moving.searches = search;
-    while (search != searches_end && search->move < moving.first + population_) ++search;
-    moving.searches_count = static_cast<std::size_t>(search - moving.searches);
-    moving.x = x_.data();
-    moving.y = y_.data();
-    moving.new_x = new_x_.data();
-    moving.new_y = new_y_.data();
-    lanes_.move(moving);
-    x_.swap(new_x_);
-    y_.swap(new_y_);
-    look(aim, best);
+  flight_.first = 0;
+  flight_.enough = enough(aim, best);
+  lanes_.rank(flight_);
+  while (true) {
+    if (flight_.is_promising) {
+      flight_.enough = look(aim, best);
+      flight_.leader_x = static_cast<float>(best.off.x);
+      flight_.leader_y = static_cast<float>(best.off.y);
+    }
+    if (!(flight_.first < flight_.moves)) break;
+    lanes_.fly(flight_);
   }
+  evaluations_ += options_.population * (options_.iterations + 1);
   return best.at;
 }
 

@@ -45,23 +45,29 @@ class WhaleSteering final : public TreeSteering {
     double cost = 0.0;
   };
   struct Candidate {
-    double least = 0.0;  // of its cost
-    double base = 0.0;   // its distances' share
-    double room = 0.0, from_near = 0.0;  // m: PlaneSpace::room, distance
+    double base = 0.0;             // its distances' share of the cost
+    double from_near = 0.0;        // m
     Vec2 at{};
-    std::uint32_t agent = 0;
     PlaneView::Seen goal = PlaneView::Seen::not_told;
+    bool is_hit = false;           // its line from `near` is, see is_surely_hit
+  };
+  struct Promising {
+    float key;
+    std::uint32_t agent;
+    bool is_goal_open;  // whether it sees the goal has not been asked
   };
   struct Aim {
     Vec2 near, sample, goal;
-    double room;       // m, of near
-    bool is_hidden;    // the goal is, from the whole disc
-    Vec2 from_goal{};  // unit vector to the sample, or nothing
-    double away = 0.0; // m, of the sample from the goal
+    double room;            // m, of near
+    PlaneView::Seen seen;   // the goal, from the whole disc
+    double away;            // m, of the sample from the goal
+    double same;            // no more than the cost of any place but for its key
   };
   void prepare_view(Vec2 goal);
-  void told(const Aim& aim, Candidate& candidate) const;
-  void look(const Aim& aim, Best& best);
+  float enough(const Aim& aim, const Best& best) const;
+  float look(const Aim& aim, Best& best);
+  bool try_out(const Aim& aim, Promising promising, float most, std::size_t best_agent, Best& best);
+  bool is_surely_hit(const Aim& aim, const Candidate& candidate) const;
   bool is_seen_from_tree(const Aim& aim, const Candidate& candidate);
   double whole_cost(const Aim& aim, const Candidate& candidate, double enough);
 
@@ -69,20 +75,20 @@ class WhaleSteering final : public TreeSteering {
   WhaleSteeringOptions options_;
   std::size_t population_;
   double per_radius_, per_diagonal_;
-  double rounding_;  // more than rounding can take from a cost
+  double rounding_;  // more than rounding can add to a key
   PlaneView view_;   // of the goal, where it stays the same from one extension to the next
   Vec2 last_goal_{};
   bool has_goal_ = false, has_view_ = false;
   const whale_lanes::Kernels& lanes_ = whale_lanes::best();
-  std::vector<double> x_, y_, new_x_, new_y_;  // of the agents, from the sample; before and after a move
-  std::vector<double> keys_;
-  std::vector<PlaneView::Seen> seen_;
+  std::vector<float> x_, y_, before_x_, before_y_;  // of the agents, from the sample
+  std::vector<float> keys_;
+  std::vector<Promising> promising_;
   // Moves of all iterations, ahead, as they do not depend on what is found.
-  std::vector<double> reaches_, factors_, scales_;
-  std::vector<whale_lanes::Search> searches_;
+  std::vector<float> reaches_, factors_, scales_;
+  std::vector<std::int32_t> others_;
   std::array<double, 2> hits_{};  // m from `near`: where the last lines that were not free were surely blocked
   whale_lanes::Drawing drawing_;
-  whale_lanes::Ranking ranking_;
+  whale_lanes::Flight flight_;
   struct Drawn {
     std::vector<Vec2> agents;
     std::uint32_t samples;

@@ -6,7 +6,6 @@
 #include <immintrin.h>
 #endif
 
-#include "waywright/core/lanes/sin_cos.inl"
 #include "waywright/planner/tree/lanes/kernels.hpp"
 
 #define WAYWRIGHT_INLINE inline __attribute__((always_inline))
@@ -14,36 +13,131 @@
 namespace waywright::whale_lanes {
 namespace {
 
-#include "waywright/core/lanes/doubles.inl"
+#if defined(__AVX512F__)
+constexpr int native = 16;
+#elif defined(__AVX__)
+constexpr int native = 8;
+#else
+constexpr int native = 4;
+#endif
+static_assert(native <= static_cast<int>(spare));
 
-static_assert(native <= static_cast<int>(spare) && sizeof(eight_lanes::Doubles) == 8 * spare);
+using Floats = float __attribute__((vector_size(4 * native)));
+using Ints = std::int32_t __attribute__((vector_size(4 * native)));
+using Words = std::uint64_t __attribute__((vector_size(4 * native)));
 
-using Words = std::uint64_t __attribute__((vector_size(8 * native)));
+WAYWRIGHT_INLINE Floats all(float x) { return Floats{} + x; }
+WAYWRIGHT_INLINE Floats absolute(Floats x) { return (Floats)((Ints)x & 0x7FFFFFFF); }
+WAYWRIGHT_INLINE Floats load(const float* from) {
+  Floats v;
+  __builtin_memcpy(&v, from, sizeof v);
+  return v;
+}
+WAYWRIGHT_INLINE Ints load(const std::int32_t* from) {
+  Ints v;
+  __builtin_memcpy(&v, from, sizeof v);
+  return v;
+}
+WAYWRIGHT_INLINE void store(float* to, Floats v) { __builtin_memcpy(to, &v, sizeof v); }
+WAYWRIGHT_INLINE void store(std::int32_t* to, Ints v) { __builtin_memcpy(to, &v, sizeof v); }
+// What `a < b ? a : b` and `a > b ? a : b` give, in one instruction where the processor's is just that.
+WAYWRIGHT_INLINE Floats lesser(Floats a, Floats b) {
+#if defined(__AVX512F__)
+  return (Floats)_mm512_min_ps((__m512)a, (__m512)b);
+#elif defined(__AVX__)
+  return (Floats)_mm256_min_ps((__m256)a, (__m256)b);
+#elif defined(__SSE2__)
+  return (Floats)_mm_min_ps((__m128)a, (__m128)b);
+#else
+  return a < b ? a : b;
+#endif
+}
+WAYWRIGHT_INLINE Floats greater(Floats a, Floats b) {
+#if defined(__AVX512F__)
+  return (Floats)_mm512_max_ps((__m512)a, (__m512)b);
+#elif defined(__AVX__)
+  return (Floats)_mm256_max_ps((__m256)a, (__m256)b);
+#elif defined(__SSE2__)
+  return (Floats)_mm_max_ps((__m128)a, (__m128)b);
+#else
+  return a > b ? a : b;
+#endif
+}
+/// Bit i: a ≤ b in lane i; false of what is not a number.
+WAYWRIGHT_INLINE unsigned not_greater_bits(Floats a, Floats b) {
+#if defined(__AVX512F__)
+  return _mm512_cmp_ps_mask((__m512)a, (__m512)b, _CMP_LE_OQ);
+#elif defined(__AVX__)
+  return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_LE_OQ)));
+#elif defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps((__m128)a, (__m128)b)));
+#else
+  unsigned out = 0;
+  for (int k = 0; k < native; ++k) out |= (a[k] <= b[k] ? 1U : 0U) << k;
+  return out;
+#endif
+}
+/// The least of all lanes, in each.
+WAYWRIGHT_INLINE Floats least_of(Floats v) {
+#if defined(__AVX512F__)
+  v = lesser(v, __builtin_shuffle(v, Ints{8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7}));
+  v = lesser(v, __builtin_shuffle(v, Ints{4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11}));
+  v = lesser(v, __builtin_shuffle(v, Ints{2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13}));
+  return lesser(v, __builtin_shuffle(v, Ints{1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14}));
+#elif defined(__AVX__)
+  v = lesser(v, __builtin_shuffle(v, Ints{4, 5, 6, 7, 0, 1, 2, 3}));
+  v = lesser(v, __builtin_shuffle(v, Ints{2, 3, 0, 1, 6, 7, 4, 5}));
+  return lesser(v, __builtin_shuffle(v, Ints{1, 0, 3, 2, 5, 4, 7, 6}));
+#else
+  v = lesser(v, __builtin_shuffle(v, Ints{2, 3, 0, 1}));
+  return lesser(v, __builtin_shuffle(v, Ints{1, 0, 3, 2}));
+#endif
+}
+/// Is a < b in any lane?
+WAYWRIGHT_INLINE bool is_any_less(Floats a, Floats b) {
+#if defined(__AVX512F__)
+  return _mm512_cmp_ps_mask((__m512)a, (__m512)b, _CMP_LT_OQ) != 0;
+#elif defined(__AVX__)
+  return _mm256_movemask_ps(_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_LT_OQ)) != 0;
+#elif defined(__SSE2__)
+  return _mm_movemask_ps(_mm_cmplt_ps((__m128)a, (__m128)b)) != 0;
+#else
+  const Ints less = a < b;
+  std::int32_t is_any = 0;
+  for (int k = 0; k < native; ++k) is_any |= less[k];
+  return is_any != 0;
+#endif
+}
+/// Correctly rounded, as IEEE has it.
+WAYWRIGHT_INLINE Floats root(Floats a) {
+#if defined(__AVX512F__)
+  return (Floats)_mm512_sqrt_ps((__m512)a);
+#elif defined(__AVX__)
+  return (Floats)_mm256_sqrt_ps((__m256)a);
+#elif defined(__SSE2__)
+  return (Floats)_mm_sqrt_ps((__m128)a);
+#else
+  Floats v;
+  for (int k = 0; k < native; ++k) v[k] = __builtin_sqrtf(a[k]);
+  return v;
+#endif
+}
 
-WAYWRIGHT_INLINE Doubles all(double x) { return Doubles{} + x; }
-WAYWRIGHT_INLINE Words words_of(Doubles x) { return (Words)x; }
-WAYWRIGHT_INLINE Doubles absolute(Doubles x) { return (Doubles)(words_of(x) & 0x7FFFFFFFFFFFFFFFULL); }
-
-/// As core/random: number i of a stream, i counted from 0.
+/// As core/random: the halves of its words, from word `first` on.
 class Stream {
  public:
   WAYWRIGHT_INLINE Stream(std::uint64_t counter, std::uint64_t first) {
-    for (int k = 0; k < native; ++k) counter_[k] = counter + (first + static_cast<std::uint64_t>(k) + 1) * increment;
+    for (int k = 0; k < native / 2; ++k) counter_[k] = counter + (first + static_cast<std::uint64_t>(k) + 1) * increment;
   }
   /// The next ones, uniform in [0, 1).
-  WAYWRIGHT_INLINE Doubles uniform() {
+  WAYWRIGHT_INLINE Floats uniform() {
     Words z = counter_;
-    counter_ += increment * static_cast<std::uint64_t>(native);
+    counter_ += increment * static_cast<std::uint64_t>(native / 2);
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
-    z = (z ^ (z >> 31)) >> 11;
-#if defined(__AVX512DQ__)
-    return (Doubles)_mm512_cvtepu64_pd((__m512i)z) * 0x1.0p-53;
-#else
-    // The same, exactly: 2^52 + the lower half, and 2^84 + the upper one, as they stand in the bits of doubles.
-    const Doubles low = (Doubles)((z & 0xFFFFFFFFULL) | 0x4330000000000000ULL), high = (Doubles)((z >> 32) | 0x4530000000000000ULL);
-    return ((high - (0x1.0p84 + 0x1.0p52)) + low) * 0x1.0p-53;
-#endif
+    z = z ^ (z >> 31);
+    using Halves = std::uint32_t __attribute__((vector_size(4 * native)));
+    return __builtin_convertvector((Ints)((Halves)z >> 8), Floats) * 0x1.0p-24F;
   }
 
  private:
@@ -51,171 +145,209 @@ class Stream {
   Words counter_{};
 };
 
-constexpr double magic = 0x1.8p52;  // adding it leaves the nearest whole number in the last bits
+constexpr float magic = 0x1.8p23F;  // adding it leaves the nearest whole number in the last bits
 
-/// e^x for |x| ≤ 700, by 2^k e^r, |r| ≤ ln2/2, Taylor up to r^12: the first term left out is under 2e-16 of the sum.
-WAYWRIGHT_INLINE Doubles exponential(Doubles x) {
-  const Doubles shifted = x * 1.4426950408889634 + magic, k = shifted - magic;
-  const Doubles r = (x - k * 0.6931471803691238) - k * 1.9082149292705877e-10;
-  Doubles p = all(1.0 / 479001600.0);  // 1/12!
-  p = p * r + 1.0 / 39916800.0;
-  p = p * r + 1.0 / 3628800.0;
-  p = p * r + 1.0 / 362880.0;
-  p = p * r + 1.0 / 40320.0;
-  p = p * r + 1.0 / 5040.0;
-  p = p * r + 1.0 / 720.0;
-  p = p * r + 1.0 / 120.0;
-  p = p * r + 1.0 / 24.0;
-  p = p * r + 1.0 / 6.0;
-  p = p * r + 0.5;
-  p = p * r + 1.0;
-  p = p * r + 1.0;
-  return p * (Doubles)((words_of(shifted) + 1023ULL) << 52);
+/// e^x for |x| ≤ 80, by 2^k e^r, |r| ≤ ln2/2, Taylor up to r^7: the first term left out is under 6e-9 of the sum.
+WAYWRIGHT_INLINE Floats exponential(Floats x) {
+  const Floats shifted = x * 1.44269504F + magic, k = shifted - magic;
+  const Floats r = (x - k * 0.693145752F) - k * 1.42860677e-6F;  // the first factor has sixteen bits: exact
+  Floats p = all(1.0F / 5040.0F);
+  p = p * r + 1.0F / 720.0F;
+  p = p * r + 1.0F / 120.0F;
+  p = p * r + 1.0F / 24.0F;
+  p = p * r + 1.0F / 6.0F;
+  p = p * r + 0.5F;
+  p = p * r + 1.0F;
+  p = p * r + 1.0F;
+  return p * (Floats)(((Ints)shifted + 127) << 23);
 }
 
-/// cos 2πl for |l| ≤ 1, by ± cos 2πq, |q| ≤ 1/4 exact, Taylor up to the power of 20: the first term left out is under 2e-17.
-WAYWRIGHT_INLINE Doubles cosine_of_turns(Doubles l) {
-  const Doubles shifted = 2.0 * l + magic;
-  const Doubles q = 6.283185307179586 * (l - 0.5 * (shifted - magic));
-  const Doubles z = q * q;
-  Doubles p = all(1.0 / 2432902008176640000.0);  // 1/20!
-  p = p * z - 1.0 / 6402373705728000.0;
-  p = p * z + 1.0 / 20922789888000.0;
-  p = p * z - 1.0 / 87178291200.0;
-  p = p * z + 1.0 / 479001600.0;
-  p = p * z - 1.0 / 3628800.0;
-  p = p * z + 1.0 / 40320.0;
-  p = p * z - 1.0 / 720.0;
-  p = p * z + 1.0 / 24.0;
-  p = p * z - 0.5;
-  p = p * z + 1.0;
-  return (Doubles)(words_of(p) ^ (words_of(shifted) << 63));
+/// cos 2πl for |l| ≤ 1, by ± cos 2πq, |q| ≤ 1/4 exact, Taylor up to the power of 12: the first term left out is under 7e-9.
+WAYWRIGHT_INLINE Floats cosine_of_turns(Floats l) {
+  const Floats shifted = 2.0F * l + magic;
+  const Floats q = 6.28318531F * (l - 0.5F * (shifted - magic));
+  const Floats z = q * q;
+  Floats p = all(1.0F / 479001600.0F);  // 1/12!
+  p = p * z - 1.0F / 3628800.0F;
+  p = p * z + 1.0F / 40320.0F;
+  p = p * z - 1.0F / 720.0F;
+  p = p * z + 1.0F / 24.0F;
+  p = p * z - 0.5F;
+  p = p * z + 1.0F;
+  return (Floats)((Ints)p ^ ((Ints)shifted << 31));
 }
 
-void draw_places(Drawing& d) {
-  const double radius = d.radius;
-  Stream us{d.counter, 0}, vs{d.counter, d.agents};
-  for (std::size_t i = 0; i < d.agents; i += spare) {
-    alignas(64) double away[spare], turn[spare];
-    for (std::size_t k = 0; k < spare; k += native) {
-      store(away + k, radius * root(us.uniform()));
-      store(turn + k, 6.283185307179586 * vs.uniform());
-    }
-    eight_lanes::Doubles r, angle;
-    __builtin_memcpy(&r, away, sizeof r);
-    __builtin_memcpy(&angle, turn, sizeof angle);
-    const eight_lanes::SinCosLanes at = eight_lanes::sin_cos(angle);
-    const eight_lanes::Doubles x = r * at.cos, y = r * at.sin;
-    __builtin_memcpy(d.x + i, &x, sizeof x);
-    __builtin_memcpy(d.y + i, &y, sizeof y);
-  }
-}
+constexpr float inside = 1.0F - 0x1.0p-21F;  // share of the radius that whoever leaves the disc is put at
 
 void draw(Drawing& drawing) {
-  draw_places(drawing);
   const Drawing d = drawing;
-  const std::uint64_t first = 2 * d.agents;
-  Stream rs{d.counter, first}, ss{d.counter, first + d.moves}, ps{d.counter, first + 2 * d.moves};
-  const double share = d.choice < 1.0 ? d.choice : 1.0;
-  const double agents_by_p = share > 0.0 ? static_cast<double>(d.agents) / share : 0.0;
-  std::size_t count = 0;
-  for (std::size_t m = 0; m < d.moves; m += native) {
-    const Doubles r = rs.uniform(), s = ss.uniform(), p = ps.uniform();
-    const Mask is_spiral = p >= d.choice;
-    const Doubles l = 2.0 * r - 1.0, reach = load(d.reach + m), a = 2.0 * reach * r - reach;
-    const Doubles spiral = exponential(lesser(greater(d.spiral * l, all(-700.0)), all(700.0))) * cosine_of_turns(l);
-    store(d.factor + m, is_spiral ? spiral : -a);
-    store(d.scale + m, is_spiral ? all(1.0) : 2.0 * s);
-    if (m >= d.searching) continue;
-    alignas(64) double others[native];
-    store(others, (p < d.choice) & (absolute(a) >= d.threshold) ? agents_by_p * p : all(-1.0));
-    for (int k = 0; k < native; ++k) {  // each is written, and stays where it is one: no branch to guess
-      const auto move = static_cast<std::uint32_t>(m) + static_cast<std::uint32_t>(k), other = static_cast<std::uint32_t>(static_cast<std::int32_t>(others[k]));
-      d.searches[count] = {move, other < d.agents ? other : static_cast<std::uint32_t>(d.agents - 1)};
-      count += (others[k] >= 0.0) & (move < d.searching) ? 1 : 0;
-    }
+  const std::uint64_t a = (std::uint64_t{d.agents} + 1) / 2, m = (std::uint64_t{d.moves} + 1) / 2;
+  Stream us{d.counter, 0}, vs{d.counter, a};
+  const float most = inside * d.radius;
+  for (std::size_t i = 0; i < d.agents; i += native) {
+    const Floats away = most * root(us.uniform()), turn = vs.uniform();
+    store(d.x + i, away * cosine_of_turns(turn));
+    store(d.y + i, away * cosine_of_turns(turn - 0.25F));
   }
-  drawing.searches_count = count;
-}
-
-WAYWRIGHT_INLINE double absolute(double x) { return __builtin_fabs(x); }
-WAYWRIGHT_INLINE double lesser(double a, double b) { return a < b ? a : b; }
-WAYWRIGHT_INLINE double greater(double a, double b) { return a > b ? a : b; }
-
-/// Towards the target and into the square about the disc.
-template <class Number>
-WAYWRIGHT_INLINE Number moved(Number factor, Number scale, Number target, Number low, Number high, Number x) {
-  return lesser(greater(target + factor * absolute(scale * target - x), low), high);
-}
-
-void move(const Moving& given) {
-  const Moving m = given;
-  const double most = m.radius * m.radius;
-  const Doubles low = all(-m.radius), high = all(m.radius), leader_x = all(m.leader_x), leader_y = all(m.leader_y);
-  for (std::size_t i = 0; i < m.agents; i += native) {
-    const Doubles factor = load(m.factor + i), scale = load(m.scale + i);
-    Doubles x = moved(factor, scale, leader_x, low, high, load(m.x + i)), y = moved(factor, scale, leader_y, low, high, load(m.y + i));
-    const Doubles squared = x * x + y * y;
-    if (less_bits(all(most), squared) != 0) {
-      const Doubles share = m.radius / root(greater(squared, all(most)));
-      x = squared > most ? share * x : x;
-      y = squared > most ? share * y : y;
-    }
-    store(m.new_x + i, x);
-    store(m.new_y + i, y);
-  }
-  for (std::size_t k = 0; k < m.searches_count; ++k) {
-    const std::size_t i = m.searches[k].move - m.first, other = m.searches[k].other;
-    const bool has_moved = other < i;
-    const double factor = m.factor[i], scale = m.scale[i];
-    double x = moved(factor, scale, has_moved ? m.new_x[other] : m.x[other], -m.radius, m.radius, m.x[i]);
-    double y = moved(factor, scale, has_moved ? m.new_y[other] : m.y[other], -m.radius, m.radius, m.y[i]);
-    const double squared = x * x + y * y;
-    if (squared > most) {
-      const double share = m.radius / __builtin_sqrt(squared);
-      x *= share;
-      y *= share;
-    }
-    m.new_x[i] = x;
-    m.new_y[i] = y;
+  Stream rs{d.counter, 2 * a}, ss{d.counter, 2 * a + m}, ps{d.counter, 2 * a + 2 * m};
+  const float share = d.choice < 1.0F ? d.choice : 1.0F;
+  const float agents_by_p = share > 0.0F ? static_cast<float>(d.agents) / share : 0.0F, last = static_cast<float>(d.agents - 1);
+  for (std::size_t i = 0; i < d.moves; i += native) {
+    const Floats r = rs.uniform(), s = ss.uniform(), p = ps.uniform();
+    const Ints is_spiral = p >= d.choice;
+    const Floats l = 2.0F * r - 1.0F, reach = load(d.reach + i), by = reach - 2.0F * reach * r;
+    const Floats spiral = exponential(lesser(greater(d.spiral * l, all(-80.0F)), all(80.0F))) * cosine_of_turns(l);
+    store(d.factor + i, is_spiral ? spiral : by);
+    store(d.scale + i, is_spiral ? all(1.0F) : 2.0F * s);
+    const Ints other = __builtin_convertvector(lesser(agents_by_p * p, all(last)), Ints);
+    store(d.other + i, (is_spiral | (absolute(by) < d.threshold)) | other);
   }
 }
 
-/// The least of all lanes, in each.
-WAYWRIGHT_INLINE Doubles least_of(Doubles v) {
+/// From where each lane's element says.
+WAYWRIGHT_INLINE Floats picked(const float* from, Ints index) {
 #if defined(__AVX512F__)
-  v = lesser(v, __builtin_shuffle(v, Words{4, 5, 6, 7, 0, 1, 2, 3}));
-  v = lesser(v, __builtin_shuffle(v, Words{2, 3, 0, 1, 6, 7, 4, 5}));
-  return lesser(v, __builtin_shuffle(v, Words{1, 0, 3, 2, 5, 4, 7, 6}));
-#elif defined(__AVX__)
-  v = lesser(v, __builtin_shuffle(v, Words{2, 3, 0, 1}));
-  return lesser(v, __builtin_shuffle(v, Words{1, 0, 3, 2}));
+  return (Floats)_mm512_i32gather_ps((__m512i)index, from, 4);
 #else
-  return lesser(v, __builtin_shuffle(v, Words{1, 0}));
+  Floats v;
+  for (int k = 0; k < native; ++k) v[k] = from[index[k]];
+  return v;
 #endif
 }
 
-void rank(Ranking& ranking) {
-  const Ranking r = ranking;
-  const Doubles nowhere = all(__builtin_inf());
-  Doubles number{};
-  for (int k = 0; k < native; ++k) number[k] = static_cast<double>(k);
-  Doubles least = nowhere;
-  for (std::size_t i = 0; i < r.agents; i += native, number += static_cast<double>(native)) {
-    const Doubles x = load(r.x + i), y = load(r.y + i);
-    const Doubles key = number < static_cast<double>(r.agents) ? r.per_radius * root(x * x + y * y) + (r.along_x * x + r.along_y * y) : nowhere;
-    store(r.keys + i, key);
-    least = lesser(least, key);
+/// `so_many` registers are all agents: where it is positive they stay in them, else they are in memory.
+template <int so_many>
+class Swarm {
+ public:
+  WAYWRIGHT_INLINE explicit Swarm(const Flight& f) : f_{f}, count_{so_many > 0 ? so_many : static_cast<int>((f.agents + native - 1) / native)} {
+    // Lanes beyond the agents are never promising.
+    for (int k = 0; k < native; ++k) {
+      const std::size_t agent = static_cast<std::size_t>(count_ - 1) * native + static_cast<std::size_t>(k);
+      beyond_[k] = agent < f.agents ? 0.0F : __builtin_inff();
+    }
+    for (int i = 0; i < so_many; ++i) x_[i] = load(f.x + i * native), y_[i] = load(f.y + i * native);
   }
-  least = least_of(least);
-  std::size_t first = 0;
-  unsigned found = bits(load(r.keys) == least);
-  while (found == 0) {
-    first += native;
-    found = bits(load(r.keys + first) == least);
+
+  WAYWRIGHT_INLINE bool rank(Floats enough) {
+    bool is_promising = false;
+    for (int i = 0; i < count_; ++i) is_promising |= ranked(i, x(i), y(i), enough);
+    return is_promising;
   }
-  ranking.least = first + static_cast<std::size_t>(__builtin_ctz(found));
+
+  /// One iteration, its first move's number.
+  WAYWRIGHT_INLINE bool move(std::size_t first, Floats enough) {
+    const bool searches = first < f_.searching;
+    if (so_many != 1 && searches) {
+      for (int i = 0; i < so_many; ++i) store(f_.x + i * native, x_[i]), store(f_.y + i * native, y_[i]);
+      if (so_many == 0) {
+        __builtin_memcpy(f_.before_x, f_.x, f_.agents * sizeof(float));
+        __builtin_memcpy(f_.before_y, f_.y, f_.agents * sizeof(float));
+      }
+    }
+    bool is_promising = false;
+    const Floats before_x = x(0), before_y = y(0);
+    for (int i = 0; i < count_; ++i) {
+      const std::size_t at = first + static_cast<std::size_t>(i) * native;
+      Floats target_x = all(f_.leader_x), target_y = all(f_.leader_y);
+      if (searches) {
+        const Ints other = load(f_.other + at), is_search = other >= 0, whom = is_search ? other : Ints{};
+        if (so_many == 1) {
+          target_x = is_search ? __builtin_shuffle(before_x, whom) : target_x;
+          target_y = is_search ? __builtin_shuffle(before_y, whom) : target_y;
+        } else {
+          target_x = is_search ? picked(so_many == 0 ? f_.before_x : f_.x, whom) : target_x;
+          target_y = is_search ? picked(so_many == 0 ? f_.before_y : f_.y, whom) : target_y;
+        }
+      }
+      const Floats factor = load(f_.factor + at), scale = load(f_.scale + at), low = all(-f_.radius), high = all(f_.radius), most = all(inside * f_.radius);
+      Floats new_x = lesser(greater(target_x + factor * absolute(scale * target_x - x(i)), low), high);
+      Floats new_y = lesser(greater(target_y + factor * absolute(scale * target_y - y(i)), low), high);
+      const Floats squared = new_x * new_x + new_y * new_y;
+      if (is_any_less(most * most, squared)) {
+        const Floats share = most / greater(root(squared), most);
+        new_x = share * new_x;
+        new_y = share * new_y;
+      }
+      set(i, new_x, new_y);
+      is_promising |= ranked(i, new_x, new_y, enough);
+    }
+    return is_promising;
+  }
+
+  WAYWRIGHT_INLINE void keep() const {
+    for (int i = 0; i < so_many; ++i) store(f_.x + i * native, x_[i]), store(f_.y + i * native, y_[i]), store(f_.keys + i * native, keys_[i]);
+  }
+
+  /// The first agent with the least key. Keys are numbers, or else no agents'.
+  WAYWRIGHT_INLINE std::size_t least() const {
+    Floats least = all(__builtin_inff());
+    for (int i = 0; i < count_; ++i) least = lesser(key(i), least);  // the second one where the first one is not a number
+    least = least_of(least);
+    for (int i = 0; i < count_; ++i) {
+      if (const unsigned found = not_greater_bits(key(i), least); found != 0) return static_cast<std::size_t>(i) * native + static_cast<std::size_t>(__builtin_ctz(found));
+    }
+    return 0;
+  }
+
+ private:
+  WAYWRIGHT_INLINE Floats key(int i) const { return so_many > 0 ? keys_[i] : load(f_.keys + i * native); }
+  WAYWRIGHT_INLINE Floats x(int i) const { return so_many > 0 ? x_[i] : load(f_.x + i * native); }
+  WAYWRIGHT_INLINE Floats y(int i) const { return so_many > 0 ? y_[i] : load(f_.y + i * native); }
+  WAYWRIGHT_INLINE void set(int i, Floats new_x, Floats new_y) {
+    if (so_many > 0) {
+      x_[i] = new_x;
+      y_[i] = new_y;
+    } else {
+      store(f_.x + i * native, new_x);
+      store(f_.y + i * native, new_y);
+    }
+  }
+  WAYWRIGHT_INLINE bool ranked(int i, Floats at_x, Floats at_y, Floats enough) {
+    Floats key = f_.per_radius * root(at_x * at_x + at_y * at_y) + (f_.along_x * at_x + f_.along_y * at_y);
+    if (i == count_ - 1) key = key + beyond_;
+    if (so_many > 0) keys_[i] = key;
+    else store(f_.keys + i * native, key);
+    return is_any_less(key, enough);
+  }
+
+  const Flight& f_;
+  const int count_;
+  Floats beyond_;
+  Floats x_[so_many > 0 ? so_many : 1]{}, y_[so_many > 0 ? so_many : 1]{}, keys_[so_many > 0 ? so_many : 1]{};
+};
+
+template <int so_many, bool moves>
+WAYWRIGHT_INLINE void run(Flight& flight) {
+  const Flight f = flight;
+  Swarm<so_many> swarm{f};
+  const Floats enough = all(f.enough);
+  std::size_t first = f.first;
+  bool is_promising = false;
+  if (moves) {
+    while (first < f.moves && !is_promising) {
+      is_promising = swarm.move(first, enough);
+      first += f.agents;
+    }
+  } else {
+    is_promising = swarm.rank(enough);
+  }
+  swarm.keep();
+  flight.first = first;
+  flight.is_promising = is_promising;
+  if (is_promising) flight.least = swarm.least();
 }
+
+template <bool moves>
+WAYWRIGHT_INLINE void run_any(Flight& flight) {
+  switch ((flight.agents + native - 1) / native) {
+    case 1: return run<1, moves>(flight);
+    case 2: return run<2, moves>(flight);
+    case 3: return run<3, moves>(flight);
+    default: return run<0, moves>(flight);
+  }
+}
+void fly(Flight& flight) { run_any<true>(flight); }
+void rank(Flight& flight) { run_any<false>(flight); }
 
 }  // namespace
 }  // namespace waywright::whale_lanes

@@ -3,6 +3,6 @@
 namespace waywright::whale_lanes {
 
 extern const Kernels avx2_kernels;
-const Kernels avx2_kernels{"avx2", draw, move, rank};
+const Kernels avx2_kernels{"avx2", draw, fly, rank};
 
 }  // namespace waywright::whale_lanes

@@ -3,6 +3,6 @@
 namespace waywright::whale_lanes {
 
 extern const Kernels avx512_kernels;
-const Kernels avx512_kernels{"avx512", draw, move, rank};
+const Kernels avx512_kernels{"avx512", draw, fly, rank};
 
 }  // namespace waywright::whale_lanes
