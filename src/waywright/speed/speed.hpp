@@ -38,7 +38,7 @@ struct LimitsAlong {
 struct SpeedStep {
   double length = 0.0;  ///< m; 0: both samples are at one place
   double turn = 0.0;    ///< rad, of a turn on the spot; else 0
-  double top = std::numeric_limits<double>::infinity();  ///< m²/s², greatest v² by speed, lateral acceleration, angular speed, steering rate, wheel speed, wheel speed
+  double top = std::numeric_limits<double>::infinity();  ///< m²/s², greatest v² by speed, lateral acceleration, angular speed, steering rate, wheel speed
   double turning = 0.0;  ///< greatest |dθ/ds| of the heading, rad/m: |κ| where the vehicle faces along
   double rate = 0.0;     ///< greatest |d²θ/ds²|, rad/m²
 };
