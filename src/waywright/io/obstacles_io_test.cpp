@@ -56,7 +56,7 @@ TEST(ObstaclesIo, BadInputGetsOneSentence) {
       {with(R"("moving":[{"footprint":{"disc":1},"track":[[1,0,0],[2,5000,0]]}])"), R"(o.json: moving[0].track[1]: it is reached at 5000 m/s (allowed: at most 1000 m/s))"},
       {with(R"("moving":[{"footprint":{"disc":1},"velocity":[1]}])"), R"(o.json: moving[0].velocity: it has 1 element (allowed: [x, y]))"},
       {with(R"("moving":[{"footprint":{"disc":1},"patience":-1}])"), R"(o.json: moving[0].patience: -1 is out of range (allowed: 0 to 1000000))"},
-      {with(R"("moving":[{"footprint":{"disc":1},"speed":1}])"), R"(o.json: moving[0].speed: unknown field, did you mean "spread"? (allowed: name, footprint, track, velocity, spread, range, free_for, patience))"},
+      {with(R"("moving":[{"footprint":{"disc":1},"speed":1}])"), R"(o.json: moving[0].speed: unknown field, did you mean "spread"? (allowed: name, footprint, track, velocity, spread, seen, range, free_for, patience))"},
   };
   for (const auto& [text, sentence] : cases) EXPECT_EQ(sentence_of(text), sentence) << text;
 }

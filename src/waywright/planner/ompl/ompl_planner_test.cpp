@@ -114,7 +114,7 @@ TEST_P(EveryPlanner, SolvesInEverySpace) {
 TEST(RoadmapOfOmpl, DrivesMotionsBackAsTheyWereTested) {
   Scenario s;
   s.vehicle.footprint.polygon = rectangle({-1.3, -0.4}, {0.9, 0.4});
-  s.vehicle.drive = Tricycle{1.1, 1.2, SteeredAxle::rear};
+  s.vehicle.drive = Tricycle{1.1, 1.2, {}, SteeredAxle::rear};
   s.vehicle.limits.curvature = 0.9;
   s.map.boundaries.push_back(rectangle({0, 0}, {12, 8}));
   s.map.obstacles.push_back({{4, 1.5}, {9, 1.5}, {9, 6.5}, {4, 6.5}, {4, 5.5}, {8, 5.5}, {8, 2.5}, {4, 2.5}});
