@@ -134,7 +134,7 @@ TEST(Report, TellsTheTightestSpotBesideTheGapThatIsChosen) {
 }
 
 TEST(Report, CountsAndMarksStopsWhereTheCurvatureJumps) {
-  const Reported r = report("goal_pose.json", "", "ompl_rrt_connect");
+  const Reported r = report("park_parallel.json", "", "ompl_rrt_connect");
   expect_clean(r.html);
   std::size_t stops = 0;
   for (std::size_t i = 1; i < r.plan.samples.size(); ++i) {

@@ -159,7 +159,7 @@ TEST(StatePlanners, TheFootprintItselfIsTriedWhereTheDiscFindsNoWay) {
     const Plan shut = planned(gap, name, {});
     EXPECT_EQ(shut.status, Status::no_path);
     EXPECT_NE(shut.reason.find("prm and rrt_star with the space \"turns\" plan for the footprint itself"), std::string::npos) << shut.reason;
-    EXPECT_NE(shut.reason.find("0.0000 m and 0.2 mm more for the proof"), std::string::npos) << shut.reason;
+    EXPECT_NE(shut.reason.find("0.0000 m and 1.0 mm more for the proof"), std::string::npos) << shut.reason;
   }
 }
 

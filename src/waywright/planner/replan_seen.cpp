@@ -144,8 +144,14 @@ class Replanning {
   }
 
   Parsed<Plan> kept(const HeldAgainst& held, const Proof& proof, double proven_in) {
-    const Pace pace = plans_in_time() && old_.planner == problem_.scenario().planner.name ? pace_from(old_.samples, old_.waits, t_, rest_.driven) : Pace{};
-    Plan plan = judge_proven(problem_, rest_.path, proof, cancel_, {}, pace.places.size() > 1 ? &pace : nullptr);
+    // Times of its own are a plan's first choice where its planner makes them; the rule's stops may be a step elsewhere than they were, and not serve.
+    const Pace pace = problem_.scenario().moving.empty() ? Pace{} : pace_from(old_.samples, old_.waits, t_, rest_.driven);
+    const Pace* own = pace.places.size() > 1 ? &pace : nullptr;
+    Plan plan = judge_proven(problem_, rest_.path, proof, cancel_, {}, plans_in_time() ? own : nullptr);
+    if (plan.hindrance && own != nullptr && !plans_in_time()) {
+      Plan as_before = judge_proven(problem_, rest_.path, proof, cancel_, {}, own);
+      if (!as_before.hindrance) plan = std::move(as_before);
+    }
     plan.timing.prove = proven_in;
     plan.replanned = what_appeared(old_, rest_, seen_.still);
     const std::size_t n = number_of(seen_.still);

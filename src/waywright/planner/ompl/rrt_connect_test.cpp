@@ -47,6 +47,13 @@ Scenario station() {
   return s;
 }
 
+/// The same with a box in the way of the motion that leads there at once.
+Scenario behind_a_box() {
+  Scenario s = station();
+  s.map.obstacles.push_back(rectangle({4.4, -1.0}, {5.0, 1.0}));
+  return s;
+}
+
 Problem prepared(const Scenario& scenario) { return Problem::prepare(scenario).value(); }
 
 BudgetLimits samples(std::int64_t n) {
@@ -163,7 +170,7 @@ TEST(RrtConnect, RandomRoomsAreSolvedAndProvenOrFailWithACause) {
 }
 
 TEST(RrtConnect, ShorteningHelpsAndCanBeLeftOut) {
-  const Problem problem = prepared(station());
+  const Problem problem = prepared(behind_a_box());
   OmplOptions plain;
   plain.simplify = false;
   const PlanningResult found = plan_with(problem, 4, plain);
@@ -174,7 +181,7 @@ TEST(RrtConnect, ShorteningHelpsAndCanBeLeftOut) {
 }
 
 TEST(RrtConnect, SameSeedSameBitsWhateverRanBeforeOrRunsBeside) {
-  const Problem problem = prepared(station());
+  const Problem problem = prepared(behind_a_box());
   const PlanningResult first = plan_with(problem, 5);
   ASSERT_TRUE(first);
   const PlanningResult other = plan_with(problem, 6);

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <tuple>
 
 #include "waywright/core/elementary.hpp"
 #include "waywright/curve/arc.hpp"
+#include "waywright/planner/steering/pose_order.hpp"
 
 namespace waywright {
 namespace {
@@ -237,9 +237,6 @@ Target target(const Pose& from, const Pose& to, double radius) {
   const SinCos of_heading = sin_cos(heading);
   return {there.x, there.y, heading, of_heading.sin, of_heading.cos};
 }
-
-/// Of both orders of two poses one, so that among words of equal length the same is taken there and back.
-bool comes_first(const Pose& a, const Pose& b) { return std::tie(a.x, a.y, a.heading) <= std::tie(b.x, b.y, b.heading); }
 
 ReedsSheppWord driven_back(ReedsSheppWord word) {
   std::reverse(word.parts.begin(), word.parts.begin() + static_cast<std::ptrdiff_t>(word.count));

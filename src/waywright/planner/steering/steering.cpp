@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "waywright/planner/grid/free_goal.hpp"
 #include "waywright/planner/grid/grid_path.hpp"
 #include "waywright/planner/steering/dubins.hpp"
+#include "waywright/planner/steering/pose_order.hpp"
 #include "waywright/planner/steering/reeds_shepp.hpp"
 
 namespace waywright {
@@ -101,7 +101,7 @@ class TurnSteering final : public Steering {
 
   /// That of both orders of the ends which comes first, driven back in the other: the same one to the last bit.
   Motion motion(const Pose& from, const Pose& to) const {
-    if (std::tie(from.x, from.y, from.heading) <= std::tie(to.x, to.y, to.heading)) return motion_forth(from, to);
+    if (comes_first(from, to)) return motion_forth(from, to);
     Motion m = motion_forth(to, from);
     if (m.way <= 0.0) m.heading = from.heading;
     m.direction = -m.direction;
