@@ -175,9 +175,7 @@ class GlobalLocalPlanner::Ready {
     for (const std::size_t i : standing) scenario.map.obstacles.push_back(movers.outline(i, at.t, 0.0));
     const auto from_here = Problem::prepare(std::move(scenario));
     if (!from_here) return std::nullopt;
-    PlanningResult found = global_way(options, planner_of(options), *from_here, budget);
-    // What has come to stand leaves gaps that cells, discs and stars may not know.
-    if (!found && options.global != GlobalWay::visibility) found = VisibilityPlanner{}.plan(*from_here, budget);
+    const PlanningResult found = global_way(options, planner_of(options), *from_here, budget);
     if (!found) return std::nullopt;
     std::vector<Vec2> points = points_of(*from_here, found->path, 0.0, 0.0);
     if (points.empty()) return std::nullopt;

@@ -13,7 +13,6 @@ constexpr double stops_before = 0.15;   // m, of the goal: one whose curvature c
 constexpr double least_reach = 0.03;    // m: ways with less room than that are kept to without repulsion
 constexpr double look_step = 0.2;       // s
 constexpr double rounding = 5e-3;       // m, that a way planned around what stands may come nearer than it should
-constexpr double turns_from = 0.01;     // rad, that one who stands in a narrow place turns by
 constexpr int directions = 16;
 constexpr double comfortable = 0.25;    // m beside what moves
 constexpr double middle_within = 0.05;  // m: met in the middle
@@ -184,7 +183,9 @@ LocalField::Wanted LocalField::wanted(const FreeState& from, const WayAhead& way
   }
   double greatest = 0.0;
   for (std::size_t i = 0; i < movers_.size(); ++i) {
-    const Vec2 off = push(i, from, room_beside(i, from.t, way, s, target, options_.moving_reach).value_or(options_.moving_reach), holds ? Vec2{} : along, orders, sides[i]);
+    // What stands beside the way pushes as it is now: were what is asked for kept, the vehicle would often run on into it beyond a bend or the goal.
+    const auto room = room_beside(i, from.t, way, s, target, options_.moving_reach);
+    const Vec2 off = push(i, from, room.value_or(options_.moving_reach), holds || room ? Vec2{} : along, orders, sides[i]);
     all.velocity = all.velocity + off;
     if (norm(off) > greatest) {
       greatest = norm(off);
@@ -250,16 +251,6 @@ LocalField::Choice LocalField::next(const FreeState& from, const WayAhead& way, 
   choice.is_lost = asked.is_lost;
   Vec2 velocity = asked.velocity;
   const Outlook first = outlook(from, velocity, top, near);
-  if (!first.is_free && from.speed <= 0.0 && !motion_.moves_any_way() && norm(velocity) > 0.0) {
-    // Where there is no room to bend: turned to it first.
-    const double off = shorter_turn(from.course, angle_of(velocity));
-    const FreeStep turn = motion_.turn(from, off);
-    if (std::abs(off) > turns_from && met_on(from, turn, near) == nobody && outlook(turn.after, velocity, top, near).is_free) {
-      choice.step = turn;
-      choice.kept_by = first.obstacle;
-      return choice;
-    }
-  }
   if (!first.is_free || first.clear < options_.horizon || first.least < 0.5 * comfortable) {
     choice.kept_by = first.obstacle;
     // Of all velocities the one that costs least: how far it is from what is asked for, how soon it is not clear, how near it comes.
