@@ -14,6 +14,8 @@ constexpr double turns_over = 0.4;        // rad, from which on a vehicle that s
 constexpr double brakes_over = 1.4;       // rad, from which on one that drives stops before it turns
 constexpr double steers_within = 0.25;    // s
 constexpr double smooth_within = 0.5;     // s, of one whose curvature cannot jump
+constexpr double smooth_over = 0.15;      // m, at least: right after rest its steps are millimetres, and would be bent as sharply
+constexpr double changes_over = 0.05;     // m, at least, that a change of its curvature is spread over
 constexpr double share_of_steering = 0.6; // of the angular acceleration; the rest is for speeding up and braking
 constexpr double tightest = 10.0;         // 1/m, that a way is bent while it is driven, also by vehicles without a limit
 constexpr double default_angular = 1.0;   // rad/s and rad/s², of turns on the spot, as the speed profile has it
@@ -72,6 +74,18 @@ void FreeMotion::finish(const FreeState& from, FreeStep& step, double speed, dou
   else after.at = from.at + step.length * unit(step.begins + 0.5 * turned);
 }
 
+FreeStep FreeMotion::turn(const FreeState& from, double angle) const {
+  FreeStep step;
+  step.kind = FreeStep::Kind::turn;
+  step.begins = from.course;
+  step.turn = angle;
+  step.after = from;
+  step.after.course = wrap(from.course + angle);
+  step.after.curvature = 0.0;
+  step.after.t = from.t + turning_time(std::abs(angle));
+  return step;
+}
+
 FreeStep FreeMotion::towards(const FreeState& from, Vec2 wanted, double top, double period, bool exact) const {
   FreeStep step;
   step.begins = from.course;
@@ -89,13 +103,7 @@ FreeStep FreeMotion::towards(const FreeState& from, Vec2 wanted, double top, dou
       step.begins = wrap(from.course + off);
       off = 0.0;
     } else if (std::abs(off) > turns_over) {
-      step.kind = FreeStep::Kind::turn;
-      step.turn = off;
-      step.after = from;
-      step.after.course = wrap(from.course + off);
-      step.after.curvature = 0.0;
-      step.after.t = from.t + turning_time(std::abs(off));
-      return step;
+      return turn(from, off);
     }
   }
   step.kind = FreeStep::Kind::drive;
@@ -127,10 +135,10 @@ FreeStep FreeMotion::towards(const FreeState& from, Vec2 wanted, double top, dou
   } else {
     // As fast a turning as can be unwound within what is left of the turn.
     const double turning = share_of_steering * angular_acceleration_;
-    double wish = off / (std::max(mean, 0.05) * smooth_within);
+    double wish = off / std::max(mean * smooth_within, smooth_over);
     if (std::isfinite(turning)) wish = std::clamp(wish, -0.7 * std::sqrt(2.0 * turning * std::abs(off)) / std::max(mean, 0.05), 0.7 * std::sqrt(2.0 * turning * std::abs(off)) / std::max(mean, 0.05));
     wish = std::clamp(wish, -most, most);
-    const double rate = std::min(curvature_rate_, turning / (fastest * fastest));
+    const double rate = std::min({curvature_rate_, turning / (fastest * fastest), std::abs(wish - curved) / changes_over});
     const double change = std::clamp(wish - curved, -rate * step.length, rate * step.length);
     step.curvature = curved;
     step.curvature_rate = std::abs(change) > 1e-9 ? change / step.length : 0.0;
@@ -148,13 +156,7 @@ FreeStep FreeMotion::onto(const FreeState& from, Vec2 goal, double top, double p
   if (std::abs(off) > 0.5 && !stood) return step;
   if (is_smooth_ && !stood && (std::abs(off) > 1e-7 || from.curvature != 0.0)) return step;
   if (stood && !any_way_ && std::abs(off) > 1e-7) {
-    step.kind = FreeStep::Kind::turn;
-    step.begins = from.course;
-    step.turn = off;
-    step.after.course = wrap(from.course + off);
-    step.after.curvature = 0.0;
-    step.after.t = from.t + turning_time(std::abs(off));
-    return step;
+    return turn(from, off);
   }
   step.begins = from.course;
   double bend = 0.0, left = away;

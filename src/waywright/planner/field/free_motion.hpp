@@ -35,6 +35,8 @@ class FreeMotion {
 
   /// `top`: m/s. A turn on the spot takes the time that it takes, everything else `period`. `exact`: the place after it is that of the curve, else that of its chord.
   FreeStep towards(const FreeState& from, Vec2 wanted, double top, double period, bool exact) const;
+  /// Of one that stands, on the spot.
+  FreeStep turn(const FreeState& from, double angle) const;
   /// On the arc that leads to a place, to rest there or as far as it comes in a period; kind stand: it cannot.
   FreeStep onto(const FreeState& from, Vec2 goal, double top, double period) const;
   Curve curve(const FreeState& from, const FreeStep& step) const;

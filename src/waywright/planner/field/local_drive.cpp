@@ -96,16 +96,23 @@ LocalDrive LocalDriver::run(const FreeState& start, const std::vector<Vec2>& way
 bool LocalDriver::plan_anew(LocalDrive& all, const FreeState& at, std::size_t blocker) const {
   if (static_cast<int>(all.replans.size()) >= options_.replans) return false;
   std::vector<std::size_t> standing;
-  if (blocker != LocalField::nobody) {
-    for (std::size_t i = 0; i < movers_.size(); ++i) {
-      if (i == blocker || movers_.stands(i, at.t, movers_.obstacle(i).patience)) standing.push_back(i);
-    }
+  for (std::size_t i = 0; i < movers_.size(); ++i) {
+    if (i == blocker || movers_.stands(i, at.t, std::max(1.0, movers_.obstacle(i).patience))) standing.push_back(i);
   }
   auto way = plan_anew_(at, standing);
   if (!way || way->empty()) return false;
   all.replans.push_back({at.t, at.at, blocker});
   all.ways.emplace_back(space_, *way, field_options_.reach);
   return true;
+}
+
+std::optional<LocalDriver::Meeting> LocalDriver::taken(Vec2 goal) const {
+  std::optional<Meeting> first;
+  for (std::size_t i = 0; i < movers_.size(); ++i) {
+    const auto from = movers_.obstacle(i).stands_from();
+    if (from && movers_.gap(i, goal, *from, 0.0) < 0.0 && (!first || *from < first->t)) first = Meeting{*from, i};
+  }
+  return first;
 }
 
 LocalDriver::Meeting LocalDriver::drive(LocalDrive& all, FreeState at, const std::vector<LocalOrder>& orders, Budget& budget) const {
@@ -125,10 +132,12 @@ LocalDriver::Meeting LocalDriver::drive(LocalDrive& all, FreeState at, const std
     sides = all.driven.back().sides;
   }
   bool tried_anew = false;  // at this place
+  const auto is_taken = taken(all.ways.front().end());
   while (true) {
     const WayAhead* way = &all.ways.back();
     const Vec2 goal = way->end();
     if (at.at == goal && at.speed == 0.0) return ends(LocalEnd::goal, LocalField::nobody);
+    if (is_taken && at.t + distance(at.at, goal) / motion_.top_speed() > is_taken->t) return ends(LocalEnd::taken, is_taken->obstacle);
     if (all.steps >= options_.steps || (budget.limits().evaluations && budget.evaluations() >= *budget.limits().evaluations)) return ends(LocalEnd::steps, LocalField::nobody);
     if ((all.steps & 15) == 0 && budget.exhausted()) return ends(budget.canceled() ? LocalEnd::canceled : LocalEnd::timed_out, LocalField::nobody);
     ++all.steps;

@@ -12,7 +12,7 @@
 
 namespace waywright {
 
-enum class LocalEnd { goal, met, stuck, thrown_about, steps, canceled, timed_out };
+enum class LocalEnd { goal, met, taken, stuck, thrown_about, steps, canceled, timed_out };
 
 /// One motion of the drive, with where it was along which way.
 struct LocalDriven {
@@ -79,6 +79,8 @@ class LocalDriver {
     std::size_t option = 0;
   };
   Meeting drive(LocalDrive& all, FreeState at, const std::vector<LocalOrder>& orders, Budget& budget) const;
+  /// Who stands at the goal for good, and from when on.
+  std::optional<Meeting> taken(Vec2 goal) const;
   bool plan_anew(LocalDrive& all, const FreeState& at, std::size_t blocker) const;
   std::vector<LocalOrder> orders_of(const std::vector<Branch>& branches) const;
 

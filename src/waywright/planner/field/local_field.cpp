@@ -12,6 +12,7 @@ constexpr double braking_share = 0.7;   // of the deceleration, with which it co
 constexpr double stops_before = 0.15;   // m, of the goal: one whose curvature cannot jump, to turn to it
 constexpr double least_reach = 0.03;    // m: ways with less room than that are kept to without repulsion
 constexpr double look_step = 0.2;       // s
+constexpr double rounding = 5e-3;       // m, that a way planned around what stands may come nearer than it should
 constexpr int directions = 16;
 constexpr double comfortable = 0.25;    // m beside what moves
 constexpr double middle_within = 0.05;  // m: met in the middle
@@ -25,8 +26,8 @@ double bow(const FreeStep& step) {
 
 }  // namespace
 
-std::vector<std::size_t> LocalField::about(const FreeState& from) const {
-  std::vector<std::size_t> all;
+std::vector<LocalField::Nearby> LocalField::about(const FreeState& from) const {
+  std::vector<Nearby> all;
   const double own = motion_.top_speed() * options_.horizon + options_.moving_reach;
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const MovingObstacle& obstacle = movers_.obstacle(i);
@@ -38,7 +39,7 @@ std::vector<std::size_t> LocalField::about(const FreeState& from) const {
       before = obstacle.at(from.t + ahead).position();
       theirs = std::max(theirs, distance(now, before));
     }
-    if (movers_.gap(i, from.at, from.t, own + theirs) <= own + theirs) all.push_back(i);
+    if (movers_.gap(i, from.at, from.t, own + theirs) <= own + theirs) all.push_back({i, comfortable, false});
   }
   return all;
 }
@@ -48,10 +49,10 @@ bool LocalField::is_step_free(const FreeState& from, const FreeStep& step) const
   return space_.is_free(from.at, step.after.at, space_.needed() + bow(step));
 }
 
-std::size_t LocalField::met_on(const FreeState& from, const FreeStep& step, const std::vector<std::size_t>& about) const {
+std::size_t LocalField::met_on(const FreeState& from, const FreeStep& step, const std::vector<Nearby>& about) const {
   const double time = step.after.t - from.t;
   const int looks = std::max(2, static_cast<int>(std::ceil(time / 0.05)));
-  for (const std::size_t i : about) {
+  for (const auto& [i, comfort, is_passed] : about) {
     for (int k = 1; k <= looks; ++k) {
       const double share = static_cast<double>(k) / looks;
       const Vec2 at = from.at + share * (step.after.at - from.at);
@@ -73,8 +74,43 @@ signed char LocalField::side_of(std::size_t i, Vec2 disc, double t, Vec2 axis, V
   return dot(left_of(along), left) > 0.0 ? -1 : 1;
 }
 
-Vec2 LocalField::push(std::size_t i, const FreeState& from, Vec2 along, const std::vector<LocalOrder>& orders, signed char& side) const {
-  const double reach = options_.moving_reach, most = 2.0 * motion_.top_speed(), fast = norm(along);
+std::optional<double> LocalField::room_beside(std::size_t i, double t, const WayAhead& way, double s, double target, double most) const {
+  if (!movers_.stands(i, t, options_.horizon)) return std::nullopt;
+  double room = most;
+  for (double at = s; room >= -rounding; at = std::min(at + sight_step, target)) {
+    room = std::min(room, movers_.gap(i, way.at(at), t, most));
+    if (at >= target) break;
+  }
+  return room < -rounding ? std::nullopt : std::optional<double>{std::max(room, 0.0)};
+}
+
+bool LocalField::is_seen(const FreeState& from, Vec2 to, const std::vector<Nearby>& about) const {
+  const int looks = std::max(1, static_cast<int>(std::ceil(distance(from.at, to) / (0.5 * sight_step))));
+  for (const Nearby& near : about) {
+    for (int k = 1; near.is_passed && k <= looks; ++k) {
+      if (movers_.gap(near.obstacle, from.at + (static_cast<double>(k) / looks) * (to - from.at), from.t, comfortable) < -rounding) return false;
+    }
+  }
+  return true;
+}
+
+std::size_t LocalField::hit_on(const FreeState& from, const FreeStep& step, const std::vector<Nearby>& about) const {
+  if (step.kind != FreeStep::Kind::drive) return nobody;
+  for (const Nearby& near : about) {
+    if (!near.is_passed) continue;
+    for (const double share : {0.5, 1.0}) {
+      if (movers_.gap(near.obstacle, from.at + share * (step.after.at - from.at), from.t + share * (step.after.t - from.t), comfortable) < 0.0) return near.obstacle;
+    }
+  }
+  return nobody;
+}
+
+Vec2 LocalField::push(std::size_t i, const FreeState& from, double reach, Vec2 along, const std::vector<LocalOrder>& orders, signed char& side) const {
+  if (reach < least_reach) {
+    side = 0;
+    return {};
+  }
+  const double most = 2.0 * motion_.top_speed(), fast = norm(along);
   const auto strength = [&](double gap) {
     const double rho = std::max(gap, 0.05);
     return rho < reach ? std::min(most, options_.moving_repulsion * (1.0 / rho - 1.0 / reach) / (rho * rho)) : 0.0;
@@ -119,12 +155,13 @@ Vec2 LocalField::push(std::size_t i, const FreeState& from, Vec2 along, const st
   return all;
 }
 
-LocalField::Wanted LocalField::wanted(const FreeState& from, const WayAhead& way, double s, double top, const std::vector<LocalOrder>& orders, Sides& sides) const {
+LocalField::Wanted LocalField::wanted(const FreeState& from, const WayAhead& way, double s, double top, const std::vector<LocalOrder>& orders, const std::vector<Nearby>& about, Sides& sides) const {
   Wanted all;
   const bool holds = std::any_of(orders.begin(), orders.end(), [&](const LocalOrder& o) { return o.kind == LocalOrder::Kind::hold && from.t >= o.from && from.t < o.until; });
   double target = std::min(way.length(), s + options_.look_ahead);
   while (target > s && !space_.is_free(from.at, way.at(target))) target -= sight_step;
   target = std::max(target, s);
+  while (target > s + sight_step && !is_seen(from, way.at(target), about)) target -= sight_step;
   all.is_lost = !space_.is_free(from.at, way.at(target));
   const Vec2 to = way.at(target) - from.at;
   const double left = std::max(0.0, distance(from.at, way.end()) - (motion_.is_smooth() ? stops_before : 0.0));
@@ -146,7 +183,9 @@ LocalField::Wanted LocalField::wanted(const FreeState& from, const WayAhead& way
   }
   double greatest = 0.0;
   for (std::size_t i = 0; i < movers_.size(); ++i) {
-    const Vec2 off = push(i, from, holds ? Vec2{} : along, orders, sides[i]);
+    // What stands beside the way pushes as it is now: were what is asked for kept, the vehicle would often run on into it beyond a bend or the goal.
+    const auto room = room_beside(i, from.t, way, s, target, options_.moving_reach);
+    const Vec2 off = push(i, from, room.value_or(options_.moving_reach), holds || room ? Vec2{} : along, orders, sides[i]);
     all.velocity = all.velocity + off;
     if (norm(off) > greatest) {
       greatest = norm(off);
@@ -158,7 +197,7 @@ LocalField::Wanted LocalField::wanted(const FreeState& from, const WayAhead& way
   return all;
 }
 
-LocalField::Outlook LocalField::outlook(const FreeState& from, Vec2 velocity, double top, const std::vector<std::size_t>& about) const {
+LocalField::Outlook LocalField::outlook(const FreeState& from, Vec2 velocity, double top, const std::vector<Nearby>& about) const {
   Outlook out{options_.horizon, comfortable, nobody, true};
   FreeState at = from;
   bool is_blocked = false;
@@ -167,7 +206,9 @@ LocalField::Outlook LocalField::outlook(const FreeState& from, Vec2 velocity, do
     FreeStep step;
     if (!is_blocked) {
       step = motion_.towards(at, velocity, top, at.t == from.t ? options_.period : look_step, false);
-      if (!is_step_free(at, step)) {
+      const std::size_t hit = hit_on(at, step, about);
+      if (hit != nobody) out.obstacle = hit;
+      if (hit != nobody || !is_step_free(at, step)) {
         if (step.after.t - from.t <= must_be_free + motion_.towards(at, {}, top, look_step, false).after.t - at.t) {
           out.is_free = false;
           return out;
@@ -181,11 +222,11 @@ LocalField::Outlook LocalField::outlook(const FreeState& from, Vec2 velocity, do
       next.speed = 0.0;
       next.t = at.t + look_step;
     }
-    for (const std::size_t i : about) {
+    for (const auto& [i, comfort, is_passed] : about) {
       for (const double share : {0.5, 1.0}) {
         const double gap = movers_.gap(i, at.at + share * (next.at - at.at), at.t + share * (next.t - at.t), comfortable);
-        out.least = std::min(out.least, gap);
-        if (gap < 0.0) {
+        if (comfort > least_reach) out.least = std::min(out.least, gap * (comfortable / comfort));
+        if (gap < 0.0 && !is_passed) {
           out.clear = at.t - from.t;
           out.obstacle = i;
           return out;
@@ -198,15 +239,20 @@ LocalField::Outlook LocalField::outlook(const FreeState& from, Vec2 velocity, do
 }
 
 LocalField::Choice LocalField::next(const FreeState& from, const WayAhead& way, double s, double top, const std::vector<LocalOrder>& orders, Sides& sides) const {
-  const Wanted asked = wanted(from, way, s, top, orders, sides);
+  std::vector<Nearby> near = about(from);
+  for (Nearby& n : near) {
+    const auto room = room_beside(n.obstacle, from.t, way, s, std::min(way.length(), s + options_.look_ahead), comfortable);
+    n.is_passed = room.has_value();
+    n.comfortable = room.value_or(comfortable);
+  }
+  const Wanted asked = wanted(from, way, s, top, orders, near, sides);
   Choice choice;
   choice.pushed_by = asked.pushed_by;
   choice.is_lost = asked.is_lost;
-  const std::vector<std::size_t> near = about(from);
   Vec2 velocity = asked.velocity;
   const Outlook first = outlook(from, velocity, top, near);
   if (!first.is_free || first.clear < options_.horizon || first.least < 0.5 * comfortable) {
-    if (first.is_free) choice.kept_by = first.obstacle;
+    choice.kept_by = first.obstacle;
     // Of all velocities the one that costs least: how far it is from what is asked for, how soon it is not clear, how near it comes.
     const auto cost = [&](Vec2 v, const Outlook& out) {
       double sum = norm(v - asked.velocity) / motion_.top_speed() + for_nearness * (comfortable - std::max(out.least, 0.0)) / comfortable;
@@ -231,7 +277,7 @@ LocalField::Choice LocalField::next(const FreeState& from, const WayAhead& way, 
     }
   }
   choice.step = motion_.towards(from, velocity, top, options_.period, true);
-  if (!is_step_free(from, choice.step)) {
+  if (!is_step_free(from, choice.step) || hit_on(from, choice.step, near) != nobody) {
     // Straight on, as short as it can.
     choice.step = motion_.towards(from, {}, top, options_.period, true);
     if (!is_step_free(from, choice.step)) choice.is_met = true;
@@ -246,7 +292,7 @@ std::optional<FreeStep> LocalField::arrive(const FreeState& from, Vec2 goal, dou
   if (step.kind == FreeStep::Kind::stand || !is_step_free(from, step)) return std::nullopt;
   if (!space_.is_free(from.at, goal, space_.needed() + 0.125 * std::abs(step.curvature) * squared_norm(goal - from.at))) return std::nullopt;
   // Clear all the way there.
-  const std::vector<std::size_t> near = about(from);
+  const std::vector<Nearby> near = about(from);
   FreeState at = from;
   for (int k = 0; k < 1000 && at.at != goal; ++k) {
     const FreeStep then = k == 0 ? step : motion_.onto(at, goal, top, options_.period);

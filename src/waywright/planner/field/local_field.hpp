@@ -59,8 +59,9 @@ class LocalField {
     std::size_t pushed_by = nobody;
     bool is_lost = false;
   };
-  Wanted wanted(const FreeState& from, const WayAhead& way, double s, double top, const std::vector<LocalOrder>& orders, Sides& sides) const;
-  Vec2 push(std::size_t i, const FreeState& from, Vec2 along, const std::vector<LocalOrder>& orders, signed char& side) const;
+  Vec2 push(std::size_t i, const FreeState& from, double reach, Vec2 along, const std::vector<LocalOrder>& orders, signed char& side) const;
+  /// m, of the room that the way has beside an obstacle that stands, at most `most`; empty of one that moves, or stands in the way.
+  std::optional<double> room_beside(std::size_t i, double t, const WayAhead& way, double s, double target, double most) const;
   signed char side_of(std::size_t i, Vec2 disc, double t, Vec2 axis, Vec2 along) const;
   struct Outlook {
     double clear = 0.0;            ///< s from now on, that it stays clear of what moves
@@ -68,11 +69,21 @@ class LocalField {
     std::size_t obstacle = nobody; ///< who it is not clear of then
     bool is_free = false;          ///< of what stands, until it could have stopped
   };
-  Outlook outlook(const FreeState& from, Vec2 velocity, double top, const std::vector<std::size_t>& about) const;
-  std::vector<std::size_t> about(const FreeState& from) const;
+  struct Nearby {
+    std::size_t obstacle = nobody;
+    double comfortable = 0.0;  ///< m: nearer than that costs
+    bool is_passed = false;    ///< it stands beside the way: the vehicle stops before it, as before what stands for ever
+  };
+  /// Is the line clear of those that stand beside the way?
+  bool is_seen(const FreeState& from, Vec2 to, const std::vector<Nearby>& about) const;
+  Outlook outlook(const FreeState& from, Vec2 velocity, double top, const std::vector<Nearby>& about) const;
+  std::vector<Nearby> about(const FreeState& from) const;
+  Wanted wanted(const FreeState& from, const WayAhead& way, double s, double top, const std::vector<LocalOrder>& orders, const std::vector<Nearby>& about, Sides& sides) const;
+  /// The first that stands beside the way and would be come too near to.
+  std::size_t hit_on(const FreeState& from, const FreeStep& step, const std::vector<Nearby>& about) const;
   bool is_step_free(const FreeState& from, const FreeStep& step) const;
   /// The first of those about that the step cannot be shown to be clear of.
-  std::size_t met_on(const FreeState& from, const FreeStep& step, const std::vector<std::size_t>& about) const;
+  std::size_t met_on(const FreeState& from, const FreeStep& step, const std::vector<Nearby>& about) const;
 
   const PlaneSpace& space_;
   const Movers& movers_;

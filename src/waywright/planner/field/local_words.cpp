@@ -59,6 +59,9 @@ std::string local_end_sentence(const LocalDrive& drive, const Movers& movers) {
   switch (drive.ended) {
     case LocalEnd::met:
       return is_known ? fmt::format("{} comes too near to the vehicle {}, whichever way it gives{}", who(movers, drive.obstacle), where, tried) : fmt::format("the vehicle cannot stop before what stands {}{}", where, tried);
+    case LocalEnd::taken:
+      return fmt::format("{} stands at the goal for good from {:.1f} s after the start on, too near for {}, which cannot be there before", who(movers, drive.obstacle),
+                         movers.obstacle(drive.obstacle).stands_from().value_or(0.0), "the disc around the vehicle");
     case LocalEnd::stuck: return fmt::format("the vehicle gets no farther {}{}", where, is_known ? ", because of " + who(movers, drive.obstacle) : std::string{});
     case LocalEnd::thrown_about: return fmt::format("the vehicle is thrown to and fro {}{}", where, is_known ? ", because of " + who(movers, drive.obstacle) : std::string{});
     default: return fmt::format("the {} that it may make were over {}", counted(drive.steps, "step"), where);
