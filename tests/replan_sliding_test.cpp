@@ -224,7 +224,11 @@ TEST(ReplanSliding, ItBeginsWhereAndAsTheVehicleIsAtEveryTime) {
     }
     for (double t = 0.37; t < end; t += 1.31) {
       const auto plan = replan(old, t, far);
-      ASSERT_TRUE(plan) << plan.error().message();
+      if (!plan) {  // it turns, and something moves
+        EXPECT_FALSE(s.moving.empty()) << plan.error().message();
+        EXPECT_FALSE(rest_of(old, was, t)->stopping.pieces.empty());
+        continue;
+      }
       EXPECT_EQ(plan->status, Status::solved) << s.name << ' ' << t << plan->reason;
       EXPECT_TRUE(plan->status != Status::solved || verify(*plan).value().holds) << t;
     }

@@ -27,10 +27,10 @@ struct Reported {
   std::string svg, html, text;
 };
 
-Reported report(const std::string& example, const std::string& name = "", const std::string& planner = "") {
+Reported report(const std::string& example, const std::string& name = "", const std::string& planner = "", Parameters parameters = {}) {
   Scenario s = read_scenario(std::string{WAYWRIGHT_SOURCE_DIR} + "/examples/" + example).value();
   if (!name.empty()) s.name = name;
-  if (!planner.empty()) s.planner = {planner, {}};
+  if (!planner.empty()) s.planner = {planner, std::move(parameters)};
   const Problem problem = Problem::prepare(std::move(s)).value();
   Reported r;
   r.plan = *solve(problem);
@@ -134,7 +134,7 @@ TEST(Report, TellsTheTightestSpotBesideTheGapThatIsChosen) {
 }
 
 TEST(Report, CountsAndMarksStopsWhereTheCurvatureJumps) {
-  const Reported r = report("park_parallel.json", "", "ompl_rrt_connect");
+  const Reported r = report("goal_pose.json", "", "ompl_rrt_connect", {{"space", std::string{"reeds_shepp"}}});
   expect_clean(r.html);
   std::size_t stops = 0;
   for (std::size_t i = 1; i < r.plan.samples.size(); ++i) {

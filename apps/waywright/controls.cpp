@@ -156,7 +156,7 @@ std::string shortfall(const WheelTorques& needed) {
   std::string words;
   if (m.most_torque > 0.0 && needed.greatest_torque > m.most_torque)
     words = fmt::format("the {} wheel needs {:.4g} N m at {:.2f} s, and max_torque is {:.4g} N m", needed.greatest_torque_wheel, needed.greatest_torque, needed.greatest_torque_at, m.most_torque);
-  if (m.most_speed > 0.0 && needed.greatest_speed > m.most_speed)
+  if (m.most_speed > 0.0 && needed.greatest_speed > m.most_speed * (1.0 + of_profile))
     words += fmt::format("{}the {} wheel turns at {:.4g} rad/s at {:.2f} s, and max_wheel_speed is {:.4g} rad/s", words.empty() ? "" : "; ", needed.greatest_speed_wheel, needed.greatest_speed,
                          needed.greatest_speed_at, m.most_speed);
   return words;
@@ -171,7 +171,7 @@ std::string enough(const WheelTorques& needed) {
   const WheelMotors& m = needed.motors;
   std::string words;
   if (m.most_torque > 0.0 && needed.greatest_torque > m.most_torque) words = fmt::format("max_torque {:.5g} N m", rounded_up(needed.greatest_torque));
-  if (m.most_speed > 0.0 && needed.greatest_speed > m.most_speed) words += fmt::format("{}max_wheel_speed {:.5g} rad/s", words.empty() ? "" : " and ", rounded_up(needed.greatest_speed));
+  if (m.most_speed > 0.0 && needed.greatest_speed > m.most_speed * (1.0 + of_profile)) words += fmt::format("{}max_wheel_speed {:.5g} rad/s", words.empty() ? "" : " and ", rounded_up(needed.greatest_speed));
   return words;
 }
 

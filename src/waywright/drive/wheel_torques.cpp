@@ -99,9 +99,8 @@ double most_slowing(const Plan& plan, double period) { return std::max(1.0, std:
 
 std::optional<double> slowing_within(const Plan& plan, double period, const WheelMotors& motors) {
   if (motors.most_torque <= 0.0 && motors.most_speed <= 0.0) return 1.0;
-  constexpr double rounding = 1e-9;  // a profile that keeps to the wheels' speed does so up to it
   const auto is_within = [&](double factor) {
-    const double share = factor > 1.0 ? 1.0 : 1.0 + rounding;
+    const double share = factor > 1.0 ? 1.0 : 1.0 + of_profile;
     const Plan slow = slowed(plan, factor);
     const WheelTorques torques = wheel_torques(slow, exact_controls(slow, period), motors);
     return (motors.most_torque <= 0.0 || torques.greatest_torque <= share * motors.most_torque) && (motors.most_speed <= 0.0 || torques.greatest_speed <= share * motors.most_speed);

@@ -11,6 +11,9 @@
 
 namespace waywright {
 
+/// Share by which a plan whose profile keeps to its wheels' speed may be over it between samples, by rounding.
+inline constexpr double of_profile = 1e-5;
+
 struct WheelMotors {
   double inertia = 0.0;        ///< kg·m², of yaw about the origin, wheels included, without a load; 0: the mass spread evenly over the footprint
   double wheel_inertia = 0.0;  ///< kg·m², of one wheel's spin with its motor's

@@ -156,7 +156,13 @@ Metrics measure(const Path& path, const std::vector<Sample>& samples, const std:
   if (driven > 0.0) {
     metrics.mean_clearance = clearance_integral / driven;
   } else {  // only turns on the spot: no length to average over
-    for (const double c : clearances) metrics.mean_clearance += c / static_cast<double>(clearances.size());
+    std::size_t places = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (i > 0 && samples[i].heading == samples[i - 1].heading) continue;  // a wait, or a joint
+      metrics.mean_clearance += clearances[i];
+      ++places;
+    }
+    metrics.mean_clearance /= static_cast<double>(places);
   }
   return metrics;
 }

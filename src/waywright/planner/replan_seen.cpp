@@ -28,6 +28,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::array<double, 3> back_offs{1.0, 2.0, 4.0};  // of the vehicle's size: how far before and behind what blocks the way it is left and joined
 constexpr double least_size = 0.5;                         // m, of a vehicle in this
 constexpr double same_place = 1e-6;                        // m
+constexpr double least_part = 1e-3;                        // m, of a way that is cut
 
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
@@ -149,11 +150,19 @@ class Replanning {
     const Pace* own = pace.places.size() > 1 ? &pace : nullptr;
     Plan plan = judge_proven(problem_, rest_.path, proof, cancel_, {}, plans_in_time() ? own : nullptr);
     if (plan.hindrance && own != nullptr && !plans_in_time()) {
-      Plan as_before = judge_proven(problem_, rest_.path, proof, cancel_, {}, own);
-      if (!as_before.hindrance) plan = std::move(as_before);
+      // Cut where it stood, the same way: so it stands there again.
+      Path cut = rest_.path;
+      for (auto wait = pace.waits.rbegin(); wait != pace.waits.rend(); ++wait) {
+        if (wait->s > least_part && wait->s < length(rest_.path) - least_part) cut = joined(beginning(cut, wait->s), remainder(cut, wait->s));
+      }
+      if (const Proof again = prove(problem_, cut, {.cancel = cancel_}); again.holds()) {
+        Plan as_before = judge_proven(problem_, std::move(cut), again, cancel_, {}, own);
+        if (!as_before.hindrance) plan = std::move(as_before);
+      }
     }
     plan.timing.prove = proven_in;
     plan.replanned = what_appeared(old_, rest_, seen_.still);
+    if (is_turning()) plan.explanation.push_back(fmt::format("The vehicle turns on the spot at up to {:.2f} rad/s when the plan begins; the plan's times are those from rest.", rest_.turning));
     const std::size_t n = number_of(seen_.still);
     if (n > 0) {
       plan.explanation.push_back(fmt::format("What was left of the plan is kept as it is: {} that stand{} still {} no nearer to it than {:.3f} m.", counted(n, "new obstacle"), n == 1 ? "s" : "",
@@ -184,12 +193,8 @@ class Replanning {
     if (!parameters) return tl::unexpected{parameters.error()};
     plan.planner = problem_.scenario().planner.name;
     plan.parameters = *parameters;
-    auto led = is_turning() ? Parsed<Plan>{std::move(plan)} : led_around(problem_, std::move(plan), cancel_);
+    auto led = led_around(problem_, std::move(plan), cancel_);
     if (!led) return led;
-    if (is_turning() && led->status == Status::solved && !led->waits.empty() && led->waits.front().from <= 0.0) {
-      led->status = Status::unproven;
-      led->reason = fmt::format("the vehicle would have to stand for {} at once, and turns on the spot at up to {:.2f} rad/s", one_line(title_of(problem_.scenario().moving[led->waits.front().obstacle], led->waits.front().obstacle)), rest_.turning);
-    }
     if (auto failure = moving_at_goal(problem_, *led)) {
       Plan failed = failed_plan(problem_, *failure);
       failed.explanation = std::move(led->explanation);
@@ -436,6 +441,9 @@ Parsed<Plan> replan(const Plan& old, double t, const SeenObstacles& seen, const 
   Scenario scenario = scenario_now(old, *was, *rest, t, seen);
   auto problem = Problem::prepare(scenario);
   if (!problem) return tl::unexpected{problem.error()};
+  if (!rest->stopping.pieces.empty() && !problem->scenario().moving.empty()) {
+    return tl::unexpected{InputError{"", "", fmt::format("{:g} s after the start the vehicle turns on the spot at up to {:.2f} rad/s, and among what moves nothing is planned from that yet", t, rest->turning), "a time at which it drives or stands"}};
+  }
   const auto slower = slower_start(*problem, rest->path);
   if (!slower) return Replanning{old, *rest, *problem, seen, t, cancel}.run();
   const double speed = std::abs(scenario.start_motion.speed);
