@@ -83,7 +83,7 @@ void grow_published(benchmark::State& state, bool ends_with_first, std::int64_t 
   const auto grow = [&](std::uint64_t s) {
     Budget budget;
     WhaleSteering steering{on.space, {}};
-    tree.grow(on.space, {.samples = samples, .radius = 1.5, .first_path = ends_with_first}, on.from(), {{on.to()}}, s, budget, no_limit, is_local ? &steering : nullptr);
+    tree.grow(on.space, {.samples = samples, .radius = 1.5, .first_path = ends_with_first, .straight_first = false}, on.from(), {{on.to()}}, s, budget, no_limit, is_local ? &steering : nullptr);
     benchmark::DoNotOptimize(tree.length());
   };
   for (auto _ : state) grow(1 + seed++ % seeds);

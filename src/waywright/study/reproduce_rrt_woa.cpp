@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t maps = 5;
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 /// Of the publication's configuration file.
-constexpr PlaneTreeOptions tree_options{.samples = 10'000, .step = 1.0, .radius = 1.5, .goal_threshold = 1.0, .first_path = true};
+constexpr PlaneTreeOptions tree_options{.samples = 10'000, .step = 1.0, .radius = 1.5, .goal_threshold = 1.0, .first_path = true, .straight_first = false};
 
 Problem of_a_point(const WhaleMap& map) {
   Scenario s;

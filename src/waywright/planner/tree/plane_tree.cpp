@@ -113,7 +113,7 @@ void PlaneTree::pass_on(std::uint32_t node) {
 void PlaneTree::look_for_goal(std::uint32_t node) {
   const Vec2 at = bins_[node], end = goal_.nearest(at);
   const double length = distance(at, end);
-  if (node != 0 && length > options_.goal_threshold) return;  // from the start it is looked for however far it is: nothing is shorter than that line
+  if (length > options_.goal_threshold && !(node == 0 && options_.straight_first)) return;  // from the start: nothing is shorter than that line
   if (length > 0.0 && !is_edge_free(at, end)) return;
   goal_edges_.push_back({node, end, length});
   is_changed_ = true;

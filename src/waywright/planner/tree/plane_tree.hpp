@@ -22,11 +22,12 @@ struct PlaneTreeOptions {
   std::int64_t samples = 10'000;
   double step = 1.0;            ///< m, longest edge that the tree grows by
   double radius = 0.0;          ///< m, within which RRT* looks for better parents; 0: the proven one, which shrinks as the tree grows
-  double goal_threshold = 1.0;  ///< m: from so near the goal is looked for; from the start, before anything is drawn, from anywhere
+  double goal_threshold = 1.0;  ///< m: from so near the goal is looked for
   double goal_bias = 0.0;       ///< share of the samples that are the goal
   bool rewires = true;          ///< RRT*; else RRT
   bool first_path = false;      ///< ends with the first path; else with the last sample
   bool informed = false;        ///< once there is a path, only places are drawn that a shorter one can lead past
+  bool straight_first = true;   ///< before anything is drawn the goal is looked for from the start, however far it is; the publication does not
 };
 
 /// Where an extension goes that grows from `near` towards the sample; the tree clips it to its step. The default goes to the sample.
