@@ -61,7 +61,7 @@ class HarmonicPlanner::Ready {
                                                                  options.field.absorption))};
     }
     if (!first) {
-      PlanningFailure failed = not_connected(space_, fmt::format("the start is not connected to the goal between {} of {:g} m", counted(field.unknowns(), "free cell"), frame_.cell), budget);
+      PlanningFailure failed = not_connected(space_, fmt::format("the start is not connected to the goal between {} of {:g} m (a finer `resolution` joins what is narrower)", counted(field.unknowns(), "free cell"), frame_.cell), budget);
       failed.field = harmonic_drawing(shared);
       return tl::unexpected{std::move(failed)};
     }
