@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -79,48 +80,71 @@ bool PlaneSpace::is_free(Vec2 from, Vec2 to, double margin) const {
 
 /// What both ends do not cover is cut into pieces, which are looked at in their middles and do not wait for each other: the middle's room covers the piece, or part of
 /// it, and what is left is cut in two, or something is too near there for sure. What stays open when pieces are short, or are many, is asked of the outlines.
-bool PlaneSpace::is_free_between(Vec2 from, Vec2 to, double length, double room_from, double room_to, double margin, double* hit) const {
+bool PlaneSpace::is_free_between(Vec2 from, Vec2 to, double length, double room_from, double room_to, double margin, Line* line) const {
   if (!(length > 0.0)) return is_free(from, margin);
   const Vec2 along = (1.0 / length) * (to - from);
   const double shortest = 0.25 * field_.cell();  // half a piece; less than that leads nowhere
-  const double in_the_way = std::min(margin, table_reach_) - slack_ - margin;  // rooms up to this tell that something is too near
   const double begin = std::max(0.0, room_from), end = length - std::max(0.0, room_to);  // what is not known to be free yet
   if (begin > end) return true;
+  const double half_of_first = 0.5 * (end - begin) / static_cast<double>(first_pieces);
+  std::array<double, first_pieces> middles, told;
+  for (std::size_t i = 0; i < first_pieces; ++i) {
+    middles[i] = begin + static_cast<double>(2 * i + 1) * half_of_first;
+    told[i] = table_.at(from + middles[i] * along);
+  }
+  const double least = *std::min_element(told.begin(), told.end()) - margin;
+  if (least > half_of_first) {
+    // The discs that cover the line reach so far beyond it that they cover all that is as near as that, between them, too.
+    if (line != nullptr) line->around = std::min({0.5 * (least - half_of_first), room_from, room_to});
+    return true;
+  }
+  double most = -1.0;  // blocked, as a share of the distance: what hides most
+  for (std::size_t i = 0; i < first_pieces; ++i) {
+    const double blocked = blocked_around(told[i], margin);
+    if (blocked < 0.0) continue;
+    if (line == nullptr) return false;
+    if (!(blocked > most * middles[i])) continue;
+    most = blocked / middles[i];
+    line->hit = middles[i];
+    line->blocked = blocked;
+  }
+  if (most >= 0.0) return false;
   struct Stretch {
     double middle, half;
   };
   std::array<Stretch, 2 * most_pieces> memory, other_memory;
   Stretch *pieces = memory.data(), *parts = other_memory.data();
-  std::size_t count = first_pieces;
-  const double half_of_first = 0.5 * (end - begin) / static_cast<double>(first_pieces);
-  for (std::size_t i = 0; i < count; ++i) pieces[i] = {begin + static_cast<double>(2 * i + 1) * half_of_first, half_of_first};
+  std::size_t count = 0;
   double open_begin = length, open_end = 0.0;
-  while (count > 0) {
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < count; ++i) {
+  const auto cut = [&](double middle, double half, double known) {  // what of a piece is left, to `parts`
+    const double covered = std::max(0.0, known - margin);
+    if (covered > half) return;
+    if (half < shortest) {
+      open_begin = std::min(open_begin, middle - half);
+      open_end = std::max(open_end, middle + half);
+      return;
+    }
+    const double quarter = 0.5 * (half - covered);
+    parts[count++] = {middle - covered - quarter, quarter};
+    parts[count++] = {middle + covered + quarter, quarter};
+  };
+  for (std::size_t i = 0; i < first_pieces; ++i) cut(middles[i], half_of_first, told[i]);
+  while (count > 0 && count <= most_pieces) {
+    std::swap(pieces, parts);
+    const std::size_t pieces_left = std::exchange(count, 0);
+    for (std::size_t i = 0; i < pieces_left; ++i) {
       const auto [middle, half] = pieces[i];
-      const double room = table_.at(from + middle * along) - margin;
-      if ((room <= in_the_way && room >= -margin) || ClearanceTiles::is_blocked(room + margin)) {
-        if (hit != nullptr) *hit = middle;
+      const double known = table_.at(from + middle * along);
+      if (const double blocked = blocked_around(known, margin); blocked >= 0.0) {
+        if (line != nullptr) line->hit = middle, line->blocked = blocked;
         return false;
       }
-      if (room > half) continue;
-      if (half < shortest) {
-        open_begin = std::min(open_begin, middle - half);
-        open_end = std::max(open_end, middle + half);
-        continue;
-      }
-      const double covered = std::max(0.0, room), quarter = 0.5 * (half - covered);
-      parts[left++] = {middle - covered - quarter, quarter};
-      parts[left++] = {middle + covered + quarter, quarter};
+      cut(middle, half, known);
     }
-    count = left;
-    std::swap(pieces, parts);
-    if (count > most_pieces) break;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    open_begin = std::min(open_begin, pieces[i].middle - pieces[i].half);
-    open_end = std::max(open_end, pieces[i].middle + pieces[i].half);
+    open_begin = std::min(open_begin, parts[i].middle - parts[i].half);
+    open_end = std::max(open_end, parts[i].middle + parts[i].half);
   }
   if (open_begin > open_end) return true;
   const Vec2 first = open_begin > 0.0 ? from + open_begin * along : from;

@@ -41,19 +41,24 @@ class PlaneSpace {
   bool is_free(Vec2 from, Vec2 to, double length, double room_from, double room_to) const {
     return room_from + room_to > length || is_free_between(from, to, length, room_from, room_to, needed_, nullptr);
   }
-  /// The same; where it is not free and the table alone tells so, `hit` is how far (m) from `from` the line is surely blocked. Else it stays what it is.
-  bool is_free(Vec2 from, Vec2 to, double length, double room_from, double room_to, double& hit) const {
-    return room_from + room_to > length || is_free_between(from, to, length, room_from, room_to, needed_, &hit);
+  /// What is learnt of a line beside whether it is free.
+  struct Line {
+    double hit = -1.0;     ///< m from its beginning to where it is surely blocked; negative where that is not known
+    double blocked = 0.0;  ///< m: all that is as near as that to there is
+    double around = 0.0;  ///< m: lines from its beginning to places that are nearer to its end than that are free, too
+  };
+  bool is_free(Vec2 from, Vec2 to, double length, double room_from, double room_to, Line& line) const {
+    return room_from + room_to > length || is_free_between(from, to, length, room_from, room_to, needed_, &line);
   }
   double table_cell() const { return field_.cell(); }  ///< m
   /// The table is sure that no place within `off` (m) of the point is free.
-  bool is_surely_blocked(Vec2 point, double off) const {
-    const double known = table_.at(point);
-    return (known >= 0.0 && known + slack_ + off <= std::min(needed_, table_reach_)) || ClearanceTiles::depth(known) >= off;
-  }
+  bool is_surely_blocked(Vec2 point, double off) const { return blocked_around(point) >= off; }
+  /// m, the greatest such; negative where the table does not tell.
+  double blocked_around(Vec2 point) const { return blocked_around(table_.at(point), needed_); }
 
  private:
-  bool is_free_between(Vec2 from, Vec2 to, double length, double room_from, double room_to, double margin, double* hit) const;
+  double blocked_around(double known, double margin) const { return known >= 0.0 ? std::min(margin, table_reach_) - known - slack_ : ClearanceTiles::depth(known); }
+  bool is_free_between(Vec2 from, Vec2 to, double length, double room_from, double room_to, double margin, Line* line) const;
   bool keeps(Vec2 from, Vec2 to, double margin, bool is_outside) const;  ///< asked of the exact outlines alone; `is_outside`: `from` is in nothing solid, that is known
 
   const Problem& problem_;

@@ -52,10 +52,11 @@ double squared_distance(Vec2 p, Vec2 a, Vec2 b) {
 
 }  // namespace
 
-PlaneView::PlaneView(const PlaneSpace& space, Vec2 from) : space_{&space}, from_{from}, bins_(count), is_free_{space.is_free(from)}, bundles_(count / bundle, -1.0) {
+PlaneView::PlaneView(const PlaneSpace& space, Vec2 from) : space_{&space}, from_{from}, bins_(count), is_free_{space.is_free(from)}, seen_squares_(count), hidden_squares_(count), bundles_(count / bundle, -1.0) {
   const Box& region = space.region();
   farthest_ = norm(Vec2{std::max(region.high.x - from.x, from.x - region.low.x), std::max(region.high.y - from.y, from.y - region.low.y)});
   hide_behind_edges();
+  tell(0, count);
 }
 
 /// An edge that spans a whole bin hides everything in it that is farther than the edge. One pass over the map's edges.
@@ -139,6 +140,25 @@ bool PlaneView::sees_beyond(Vec2 point) {
   return true;
 }
 
+/// Of bins and what is beside them, as their neighbours allow.
+void PlaneView::tell(std::size_t first, std::size_t bins) {
+  constexpr double single = 1e-5;  // of a square, more than rounding is
+  const auto seen = [&](std::size_t i) {
+    const double all = bundles_[i / bundle];
+    return std::max(bins_[i].seen, all > 0.0 ? all * all : 0.0);
+  };
+  std::size_t before = (first + count - 2) % count, at = (first + count - 1) % count;
+  double seen_before = seen(before), seen_here = seen(at), hidden_before = bins_[before].hidden, hidden_here = bins_[at].hidden;
+  for (std::size_t k = 0; k < bins + 2; ++k) {
+    const std::size_t after = (at + 1) % count;
+    const double seen_after = seen(after), hidden_after = bins_[after].hidden;
+    seen_squares_[at] = static_cast<float>((1.0 - single) * std::min({seen_before, seen_here, seen_after}));
+    hidden_squares_[at] = static_cast<float>((1.0 + single) * std::max({hidden_before, hidden_here, hidden_after}));
+    seen_before = seen_here, seen_here = seen_after, hidden_before = hidden_here, hidden_here = hidden_after;
+    at = after;
+  }
+}
+
 PlaneView::Seen PlaneView::seen_from_all(Vec2 middle, double radius) {
   const Vec2 to = middle - from_;
   const double away = norm(to), farthest = wider * (away + radius);
@@ -176,7 +196,9 @@ double PlaneView::bundle_seen(std::size_t b) {
     if (!(room > little)) break;
     t += room / (1.0 + spread);
   }
-  return seen = t / wider;
+  seen = t / wider;
+  tell(b * bundle, bundle);
+  return seen;
 }
 
 /// Of bins beside each other, whose rays do not wait for each other's look-ups, from where their bundle ends on.
@@ -215,6 +237,7 @@ void PlaneView::fill(std::size_t i) {
       else bins[k].hidden = t[k] * t[k] * wider;
     }
   }
+  tell(first, together);
 }
 
 }  // namespace waywright

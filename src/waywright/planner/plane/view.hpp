@@ -46,12 +46,7 @@ class PlaneView {
   /// What the table tells of all within `radius` (m) of the middle: the place is seen from nowhere there, or from everywhere. @pre is_ready(), radius ≥ 0
   Seen seen_from_all(Vec2 middle, double radius);
 
- private:
-  static constexpr std::size_t count = 2048, together = 4, bundle = 32;
-  struct Bin {
-    double seen = -1.0;  // m², squared distance up to which all is seen; negative: not looked at yet
-    double hidden = std::numeric_limits<double>::infinity();  // m², squared distance from which on nothing is
-  };
+  static constexpr std::size_t count = 2048;  ///< bins
   /// A number in [0, 4) that grows with the angle as the point goes around a square: no trigonometry.
   static double around(Vec2 v) {
     const double sum = std::abs(v.x) + std::abs(v.y);
@@ -60,11 +55,24 @@ class PlaneView {
     const double value = v.x < 0.0 ? 2.0 - share : share < 0.0 ? 4.0 + share : share;
     return value < 4.0 ? value : 0.0;
   }
+  /// The bin that a point is in, which is so far from the place.
   static std::size_t index(Vec2 v) { return static_cast<std::size_t>(around(v) * (static_cast<double>(count) / 4.0)); }
+  /// What is known by now, for look-ups in single precision: of a direction's bin the squared distance (m²) up to which all is seen, and the one from which on nothing is.
+  /// A bin off by one and a share of 1e-6 off do not matter. Both have `count`, and change as bins are asked for. @pre is_ready()
+  const float* seen_squares() const { return seen_squares_.data(); }
+  const float* hidden_squares() const { return hidden_squares_.data(); }
+
+ private:
+  static constexpr std::size_t together = 4, bundle = 32;
+  struct Bin {
+    double seen = -1.0;  // m², squared distance up to which all is seen; negative: not looked at yet
+    double hidden = std::numeric_limits<double>::infinity();  // m², squared distance from which on nothing is
+  };
   void hide_behind_edges();
   void gather_edges();
   double bundle_seen(std::size_t b);
   void fill(std::size_t i);
+  void tell(std::size_t first, std::size_t bins);
 
   const PlaneSpace* space_ = nullptr;
   Vec2 from_{};
@@ -78,6 +86,7 @@ class PlaneView {
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> first_, of_bin_;
   bool is_free_ = false, is_gathered_ = false;  // the place is
+  std::vector<float> seen_squares_, hidden_squares_;
   std::vector<double> bundles_;  // m up to which all of so many bins is seen; negative: not looked at yet
 };
 

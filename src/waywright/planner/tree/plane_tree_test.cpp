@@ -179,10 +179,10 @@ Vec2 plain_aim(const WhaleSteeringOptions& o, const WhaleSteering& steering, Vec
   whale_lanes::best().draw(drawing);
   const float radius = drawing.radius, most = (1.0F - 0x1.0p-21F) * radius;
   float best_x = 0.0F, best_y = 0.0F;
-  double cost = std::numeric_limits<double>::infinity();
+  float cost = std::numeric_limits<float>::infinity();
   const auto look = [&] {
     for (std::size_t i = 0; i < population; ++i) {
-      const double c = steering.cost(sample + Vec2{x[i], y[i]}, near, sample, goal);
+      const float c = steering.cost({x[i], y[i]}, near, sample, goal);
       if (!(c < cost)) continue;
       cost = c;
       best_x = x[i];

@@ -5,25 +5,25 @@
 #include <limits>
 
 namespace waywright {
+
+using whale_lanes::Flight;
+using whale_lanes::most_shadows;
+using whale_lanes::Place;
+using whale_lanes::Shadow;
+
 namespace {
 
-constexpr double blocked_weight = 10.0;
+constexpr float blocked_weight = 10.0F;
 constexpr std::size_t most_drawn = 100;  // swarms
 
 }  // namespace
 
-WhaleSteering::WhaleSteering(const PlaneSpace& space, const WhaleSteeringOptions& options)
-    : space_{space},
-      options_{options},
-      population_{static_cast<std::size_t>(options.population)},
-      per_radius_{options.sample_weight / options.radius},
-      per_diagonal_{options.goal_weight / norm(space.region().high - space.region().low)},
-      rounding_{1e-6 * (options.sample_weight + options.radius * per_diagonal_)} {
+WhaleSteering::WhaleSteering(const PlaneSpace& space, const WhaleSteeringOptions& options) : space_{space}, options_{options}, population_{static_cast<std::size_t>(options.population)} {
   const std::size_t iterations = static_cast<std::size_t>(options.iterations), moves = population_ * iterations;
-  for (std::vector<float>* values : {&x_, &y_, &before_x_, &before_y_, &keys_}) values->resize(population_ + whale_lanes::spare);
+  for (std::vector<float>* values : {&x_, &y_, &before_x_, &before_y_, &keys_, &bounds_}) values->resize(population_ + whale_lanes::spare);
   for (std::vector<float>* values : {&reaches_, &factors_, &scales_}) values->resize(moves + whale_lanes::spare);
   others_.resize(moves + whale_lanes::spare);
-  promising_.resize(population_);
+  for (std::vector<std::int32_t>* values : {&is_dark_, &is_known_}) values->resize(population_ + whale_lanes::spare);
   drawing_.agents = flight_.agents = population_;
   drawing_.moves = flight_.moves = moves;
   drawing_.spiral = static_cast<float>(options.whale.spiral);
@@ -46,13 +46,24 @@ WhaleSteering::WhaleSteering(const PlaneSpace& space, const WhaleSteeringOptions
   flight_.before_x = before_x_.data();
   flight_.before_y = before_y_.data();
   flight_.keys = keys_.data();
-  flight_.per_radius = static_cast<float>(per_radius_);
+  flight_.bounds = bounds_.data();
+  flight_.is_dark = is_dark_.data();
+  flight_.is_known = is_known_.data();
+  flight_.per_radius = static_cast<float>(options.sample_weight / options.radius);
+  flight_.per_goal = static_cast<float>(options.goal_weight / norm(space.region().high - space.region().low));
+  flight_.dark = static_cast<float>(options.near_weight);
+  flight_.hidden = static_cast<float>(options.view_weight);
 }
 
-double WhaleSteering::cost(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal) const {
-  double sum = per_radius_ * distance(x, sample) + per_diagonal_ * distance(x, goal);
-  if (!space_.is_free(near, x)) sum += options_.near_weight + (space_.is_free(x) ? 0.0 : blocked_weight);
-  if (!space_.is_free(x, goal)) sum += options_.view_weight;
+float WhaleSteering::cost(Place off, Vec2 near, Vec2 sample, Vec2 goal) const {
+  const Vec2 x = sample + Vec2{off.x, off.y}, from = goal - sample;
+  const float to_x = off.x - static_cast<float>(from.x), to_y = off.y - static_cast<float>(from.y);
+  float sum = flight_.per_radius * std::sqrt(off.x * off.x + off.y * off.y) + flight_.per_goal * std::sqrt(to_x * to_x + to_y * to_y);
+  if (!space_.is_free(near, x)) {
+    sum += flight_.dark;
+    if (!space_.is_free(x)) sum += blocked_weight;
+  }
+  if (!space_.is_free(x, goal)) sum += flight_.hidden;
   return sum;
 }
 
@@ -64,130 +75,127 @@ void WhaleSteering::prepare_view(Vec2 goal) {
   last_goal_ = goal;
 }
 
-/// What was in the way of one line is often in the way of the next one, at the same distance: that is looked at first.
-bool WhaleSteering::is_surely_hit(const Aim& aim, const Candidate& candidate) const {
-  const Vec2 along = (1.0 / candidate.from_near) * (candidate.at - aim.near);
-  bool is_hit = false;
-  for (const double hit : hits_) is_hit |= (hit < candidate.from_near) & space_.is_surely_blocked(aim.near + hit * along, 0.0);
-  return is_hit;
+/// Of a length that is measured in single precision, a little less; negative where nothing is left.
+float WhaleSteering::square_of_less(double length) const {
+  const double less = 0.99999 * length - 1e-6 * options_.radius;
+  return less > 0.0 ? static_cast<float>(less * less) : -1.0F;
 }
 
-bool WhaleSteering::is_seen_from_tree(const Aim& aim, const Candidate& candidate) {
-  const double length = candidate.from_near;
+/// Lines that come as near to the hit as all is blocked around it need not be looked along. A little before it or behind it may be a place that hides more.
+void WhaleSteering::add_shadow(const Aim& aim, Vec2 along, double hit, double blocked) {
+  const double first = hit, size = blocked;
+  for (const double further : {-0.5, 0.5, 1.0, 1.5}) {
+    const double at = first + further * size, around = space_.blocked_around(aim.near + at * along);
+    if (around * hit > blocked * at) hit = at, blocked = around;
+  }
+  const float squared = square_of_less(0.999 * blocked - 1e-5 * hit);
+  if (squared < 0.0F) return;
+  Shadow& shadow = flight_.shadows[oldest_shadow_];
+  shadow = {static_cast<float>(hit * along.x), static_cast<float>(hit * along.y), squared};
+  oldest_shadow_ = (oldest_shadow_ + 1) % most_shadows;
+  flight_.shadow_count = std::min(flight_.shadow_count + 1, most_shadows);
+  lanes_.shade(flight_, shadow);
+}
+
+bool WhaleSteering::is_seen_from_tree(const Aim& aim, Place off, Vec2 at) {
+  const double length = distance(aim.near, at);
   if (aim.room > length) return true;
-  double hit = -1.0;
-  if (space_.is_free(aim.near, candidate.at, length, aim.room, space_.room(candidate.at), hit)) return true;
-  if (hit >= 0.0) {
-    hits_[1] = hits_[0];
-    hits_[0] = hit;
-  }
-  return false;
-}
-
-/// The cost of a place, term by term, no further than to where it is more than `enough`.
-double WhaleSteering::whole_cost(const Aim& aim, const Candidate& candidate, double enough) {
-  const Vec2 x = candidate.at;
-  const bool is_hidden = candidate.goal == PlaneView::Seen::no;
-  const double hidden = is_hidden ? options_.view_weight : 0.0;
-  double sum = candidate.base;
-  if (sum + hidden > enough) return sum + hidden;
-  if (candidate.is_hit || !is_seen_from_tree(aim, candidate)) {
-    sum += options_.near_weight;
-    if (sum + hidden > enough) return sum + hidden;
-    if (!space_.is_free(x)) sum += blocked_weight;
-    if (sum + hidden > enough) return sum + hidden;
-  }
-  if (candidate.goal == PlaneView::Seen::not_told) {
-    ++lines_;
-    if (has_view_ ? view_.sees_beyond(x) : space_.is_free(x, aim.goal)) return sum;
-  }
-  return candidate.goal == PlaneView::Seen::yes ? sum : sum + options_.view_weight;
-}
-
-/// Keys that are not under it cannot lead to a lesser cost.
-float WhaleSteering::enough(const Aim& aim, const Best& best) const {
-  const double most = best.cost - aim.same;
-  return static_cast<float>(most + rounding_ + 1e-6 * std::abs(most));
-}
-
-/// Replaces the best where an agent is better; of equal ones of this population the first is. `best_agent`: of this population, or its size where it is none of it.
-bool WhaleSteering::try_out(const Aim& aim, Promising promising, float most, std::size_t best_agent, Best& best) {
-  const Vec2 off{x_[promising.agent], y_[promising.agent]};
-  Candidate c;
-  c.at = aim.sample + off;
-  c.from_near = distance(aim.near, c.at);
   ++lines_;
-  c.is_hit = !(aim.room > c.from_near) && is_surely_hit(aim, c);
-  if (c.is_hit && best.cost < options_.near_weight) return false;  // costs that much at least
-  c.goal = aim.seen;
-  if (promising.is_goal_open) {
-    c.goal = view_.seen(c.at);
-    if (c.goal == PlaneView::Seen::no && !(promising.key + static_cast<float>(options_.view_weight) < most)) return false;
+  PlaneSpace::Line line;
+  if (!space_.is_free(aim.near, at, length, aim.room, space_.room(at), line)) {
+    if (line.hit > 0.0) add_shadow(aim, (1.0 / length) * (at - aim.near), line.hit, line.blocked);
+    return false;
   }
-  c.base = per_radius_ * distance(c.at, aim.sample) + per_diagonal_ * distance(c.at, aim.goal);
-  const double cost = whole_cost(aim, c, best.cost);
-  if (!(cost < best.cost || (cost == best.cost && promising.agent < best_agent && best_agent < population_))) return false;
-  best = {c.at, off, cost};
+  flight_.lit_x = off.x;
+  flight_.lit_y = off.y;
+  flight_.lit_around_squared = square_of_less(line.around);
   return true;
 }
 
-/// The best of all agents and of what was best before. Agents have keys that are no more than what they cost, but for what is the same of all: the goal is no nearer than
-/// along the straight line from the sample to it. They are looked at in this order, until no other one can be better. What is enough() then.
-float WhaleSteering::look(const Aim& aim, Best& best) {
-  const bool is_open = has_view_ && aim.seen == PlaneView::Seen::not_told;
-  const auto first = static_cast<std::uint32_t>(flight_.least);
-  float most = flight_.enough;
-  std::size_t best_agent = population_;
-  if (try_out(aim, {keys_[first], first, is_open}, most, best_agent, best)) {
-    best_agent = first;
-    most = enough(aim, best);
+bool WhaleSteering::sees_goal(const Aim& aim, Vec2 at, PlaneView::Seen told) {
+  if (told != PlaneView::Seen::not_told) return told == PlaneView::Seen::yes;
+  ++lines_;
+  return has_view_ ? view_.sees_beyond(at) : space_.is_free(at, aim.goal);
+}
+
+/// Replaces the best where the agent is better, or as good and the first of equals. Its cost is looked at term by term, no further than to where it is too much.
+bool WhaleSteering::try_out(const Aim& aim, std::size_t agent, bool is_first_of_equals, Best& best) {
+  const Place off{x_[agent], y_[agent]};
+  const Vec2 at = aim.sample + Vec2{off.x, off.y};
+  const auto is_too_much = [&](float cost) { return is_first_of_equals ? cost > best.cost : cost >= best.cost; };
+  PlaneView::Seen goal = aim.seen;
+  if (goal == PlaneView::Seen::not_told && has_view_) {
+    goal = view_.seen(at);
+    if (goal == PlaneView::Seen::no && is_too_much(std::max(bounds_[agent], keys_[agent] + flight_.hidden))) return false;
   }
-  keys_[first] = std::numeric_limits<float>::infinity();
-  Promising* const promising = promising_.data();
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < population_; ++i) {  // each is written, and stays where it could be better: no branch to guess
-    promising[count] = {keys_[i], static_cast<std::uint32_t>(i), is_open};
-    count += keys_[i] < most ? 1 : 0;
+  const float at_last = goal == PlaneView::Seen::no ? flight_.hidden : 0.0F;
+  float cost = keys_[agent];
+  if (is_dark_[agent] != 0 || !is_seen_from_tree(aim, off, at)) {
+    cost += flight_.dark;
+    if (is_too_much(cost + at_last)) return false;
+    if (!space_.is_free(at)) cost += blocked_weight;
   }
-  while (count > 0) {
-    std::size_t least = 0;
-    for (std::size_t k = 1; k < count; ++k) least = promising[k].key < promising[least].key ? k : least;
-    const Promising next = promising[least];
-    if (!(next.key < most)) break;
-    promising[least] = promising[--count];
-    if (!try_out(aim, next, most, best_agent, best)) continue;
-    best_agent = next.agent;
-    most = enough(aim, best);
+  if (is_too_much(cost + at_last)) return false;
+  if (!sees_goal(aim, at, goal)) cost += flight_.hidden;
+  if (is_too_much(cost)) return false;
+  best = {off, cost};
+  return true;
+}
+
+/// The best of all agents and of what was best before; of equal ones what was before, then the first agent. They are looked at in the order of their bounds, until no other
+/// one can be better.
+void WhaleSteering::look(const Aim& aim, Best& best) {
+  std::size_t best_agent = 0, next = flight_.least;
+  while (true) {
+    const bool is_first_of_equals = next < best_agent;
+    if (is_first_of_equals ? bounds_[next] > best.cost : bounds_[next] >= best.cost) return;
+    if (try_out(aim, next, is_first_of_equals, best)) best_agent = next;
+    bounds_[next] = std::numeric_limits<float>::infinity();
+    next = 0;
+    for (std::size_t i = 1; i < population_; ++i) next = bounds_[i] < bounds_[next] ? i : next;
   }
-  return most;
 }
 
 Vec2 WhaleSteering::aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) {
   prepare_view(goal);
   sample_ = sample;
-  hits_.fill(std::numeric_limits<double>::infinity());
-  Aim aim{near, sample, goal, space_.room(near), has_view_ ? view_.seen_from_all(sample, options_.radius) : PlaneView::Seen::not_told, distance(sample, goal), 0.0};
-  aim.same = per_diagonal_ * aim.away + (aim.seen == PlaneView::Seen::no ? options_.view_weight : 0.0);
-  const Vec2 along = (aim.away > 0.0 ? per_diagonal_ / aim.away : 0.0) * (sample - goal);
-  flight_.along_x = static_cast<float>(along.x);
-  flight_.along_y = static_cast<float>(along.y);
+  const Aim aim{near, sample, goal, space_.room(near), has_view_ ? view_.seen_from_all(sample, options_.radius) : PlaneView::Seen::not_told};
+  const Vec2 from_goal = goal - sample, from_near = near - sample;
+  flight_.goal_x = static_cast<float>(from_goal.x);
+  flight_.goal_y = static_cast<float>(from_goal.y);
+  flight_.begin_x = static_cast<float>(from_near.x);
+  flight_.begin_y = static_cast<float>(from_near.y);
+  flight_.goal = !has_view_                          ? Flight::Goal::not_told
+                 : aim.seen == PlaneView::Seen::no  ? Flight::Goal::is_hidden
+                 : aim.seen == PlaneView::Seen::yes ? Flight::Goal::is_seen
+                                                    : Flight::Goal::told_by_view;
+  if (has_view_) {
+    flight_.seen_squares = view_.seen_squares();
+    flight_.hidden_squares = view_.hidden_squares();
+  }
+  flight_.lit_squared = square_of_less(aim.room);
+  flight_.lit_around_squared = -1.0F;
+  flight_.shadow_count = oldest_shadow_ = 0;
   drawing_.counter = random.take(whale_lanes::drawn(drawing_.agents, drawing_.moves));
   lanes_.draw(drawing_);
-  Best best{sample, {}, std::numeric_limits<double>::infinity()};
+  Best best{{}, std::numeric_limits<float>::infinity()};
   flight_.first = 0;
-  flight_.enough = enough(aim, best);
+  flight_.enough = best.cost;
+  flight_.leader_x = flight_.leader_y = 0.0F;
   lanes_.rank(flight_);
   while (true) {
+    best = {{flight_.leader_x, flight_.leader_y}, flight_.enough};
     if (flight_.is_promising) {
-      flight_.enough = look(aim, best);
-      flight_.leader_x = static_cast<float>(best.off.x);
-      flight_.leader_y = static_cast<float>(best.off.y);
+      look(aim, best);
+      flight_.enough = best.cost;
+      flight_.leader_x = best.off.x;
+      flight_.leader_y = best.off.y;
     }
     if (!(flight_.first < flight_.moves)) break;
     lanes_.fly(flight_);
   }
   evaluations_ += options_.population * (options_.iterations + 1);
-  return best.at;
+  return sample + Vec2{best.off.x, best.off.y};
 }
 
 /// Where there are too many every other one is left out, from then on, too.

@@ -1,7 +1,6 @@
 // Steering of the RRT*-WOA publication's local variant: the whale optimisation algorithm looks around a sample for where the tree sees the goal.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,8 +12,8 @@
 namespace waywright {
 
 /// The publication names four terms and gives neither formula nor weights; these are reconstructed:
-///   f(x) = w_r |x − sample| / R + w_g |x − goal| / D + w_n [line from `near` is not free] + w_v [line to the goal is not free] + 10 [x is not free],
-/// D the region's diagonal. To the goal alone: w_r = 0; growth at random: w_g = 0.
+///   f(x) = w_r |x − sample| / R + w_g |x − goal| / D + w_n [line from `near` is not free] + 10 [x is not free] + w_v [line to the goal is not free],
+/// D the region's diagonal; in single precision, as places are. To the goal alone: w_r = 0; growth at random: w_g = 0.
 struct WhaleSteeringOptions {
   int population = 10;
   int iterations = 10;
@@ -35,58 +34,41 @@ class WhaleSteering final : public TreeSteering {
   std::int64_t evaluations() const { return evaluations_; }
   std::int64_t lines() const { return lines_; }  ///< that were looked along: not those that the view of the goal tells
 
-  /// The cost of a place, whole.
-  double cost(Vec2 x, Vec2 near, Vec2 sample, Vec2 goal) const;
+  /// The cost of a place, whole; `off` is where it is, from the sample.
+  float cost(whale_lanes::Place off, Vec2 near, Vec2 sample, Vec2 goal) const;
 
  private:
   struct Best {
-    Vec2 at{};
-    Vec2 off{};  // from the sample
-    double cost = 0.0;
-  };
-  struct Candidate {
-    double base = 0.0;             // its distances' share of the cost
-    double from_near = 0.0;        // m
-    Vec2 at{};
-    PlaneView::Seen goal = PlaneView::Seen::not_told;
-    bool is_hit = false;           // its line from `near` is, see is_surely_hit
-  };
-  struct Promising {
-    float key;
-    std::uint32_t agent;
-    bool is_goal_open;  // whether it sees the goal has not been asked
+    whale_lanes::Place off{};  // from the sample
+    float cost = 0.0F;
   };
   struct Aim {
     Vec2 near, sample, goal;
-    double room;            // m, of near
-    PlaneView::Seen seen;   // the goal, from the whole disc
-    double away;            // m, of the sample from the goal
-    double same;            // no more than the cost of any place but for its key
+    double room;           // m, of near
+    PlaneView::Seen seen;  // the goal, from the whole disc
   };
   void prepare_view(Vec2 goal);
-  float enough(const Aim& aim, const Best& best) const;
-  float look(const Aim& aim, Best& best);
-  bool try_out(const Aim& aim, Promising promising, float most, std::size_t best_agent, Best& best);
-  bool is_surely_hit(const Aim& aim, const Candidate& candidate) const;
-  bool is_seen_from_tree(const Aim& aim, const Candidate& candidate);
-  double whole_cost(const Aim& aim, const Candidate& candidate, double enough);
+  void look(const Aim& aim, Best& best);
+  bool try_out(const Aim& aim, std::size_t agent, bool is_first_of_equals, Best& best);
+  bool is_seen_from_tree(const Aim& aim, whale_lanes::Place off, Vec2 at);
+  bool sees_goal(const Aim& aim, Vec2 at, PlaneView::Seen told);
+  float square_of_less(double length) const;
+  void add_shadow(const Aim& aim, Vec2 along, double hit, double blocked);
 
   const PlaneSpace& space_;
   WhaleSteeringOptions options_;
   std::size_t population_;
-  double per_radius_, per_diagonal_;
-  double rounding_;  // more than rounding can add to a key
   PlaneView view_;   // of the goal, where it stays the same from one extension to the next
   Vec2 last_goal_{};
   bool has_goal_ = false, has_view_ = false;
   const whale_lanes::Kernels& lanes_ = whale_lanes::best();
   std::vector<float> x_, y_, before_x_, before_y_;  // of the agents, from the sample
-  std::vector<float> keys_;
-  std::vector<Promising> promising_;
+  std::vector<float> keys_, bounds_;
+  std::vector<std::int32_t> is_dark_, is_known_;
   // Moves of all iterations, ahead, as they do not depend on what is found.
   std::vector<float> reaches_, factors_, scales_;
   std::vector<std::int32_t> others_;
-  std::array<double, 2> hits_{};  // m from `near`: where the last lines that were not free were surely blocked
+  std::size_t oldest_shadow_ = 0;
   whale_lanes::Drawing drawing_;
   whale_lanes::Flight flight_;
   struct Drawn {

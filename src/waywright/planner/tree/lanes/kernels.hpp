@@ -34,33 +34,61 @@ inline std::uint64_t drawn(std::size_t agents, std::size_t moves) {
   return 2 * a + 3 * m;
 }
 
-/// Iterations until one leads to where it is promising. What an agent's place says of its cost is its key: per_radius |x| + along_x x + along_y y.
+struct Place {
+  float x = 0.0F, y = 0.0F;  ///< m
+};
+
+/// What is surely blocked: a line from the place that all lines begin at to a point is blocked where it comes as near as that to the middle.
+struct Shadow {
+  float x = 0.0F, y = 0.0F;  ///< of its middle, from where the lines begin, m
+  float squared = -1.0F;     ///< of its radius, m²; negative: it hides nothing
+};
+inline constexpr std::size_t most_shadows = 4;
+
+/// Iterations until one leads to where something has to be looked at. An agent's key is what its distances cost: per_radius |x| + per_goal |x − goal|. Its bound is what it costs
+/// at least: the key, `dark` where a shadow lies on its line, and `hidden` where the goal is hidden from it for sure. That is all that it costs where its line is lit, and whether
+/// it sees the goal is told: such an agent becomes the leader, and the flight goes on.
 struct Flight {
   std::size_t agents = 0;  ///< > 0
   float radius = 1.0F;
-  float per_radius = 0.0F, along_x = 0.0F, along_y = 0.0F;
+  float per_radius = 0.0F, per_goal = 0.0F, goal_x = 0.0F, goal_y = 0.0F;
+  float dark = 0.0F, hidden = 0.0F;  ///< ≥ 0
+
+  float begin_x = 0.0F, begin_y = 0.0F;  ///< where lines to the agents begin
+  Shadow shadows[most_shadows]{};
+  std::size_t shadow_count = 0;
+  float lit_squared = -1.0F;                                     ///< m²: lines are lit whose squared length is less,
+  float lit_x = 0.0F, lit_y = 0.0F, lit_around_squared = -1.0F;  ///< and those to places whose squared distance from this one is less
+  enum class Goal { not_told, is_seen, is_hidden, told_by_view } goal = Goal::not_told;  ///< from all places, or as its view tells of each
+  const float *seen_squares = nullptr, *hidden_squares = nullptr;  ///< of the view, see PlaneView
+
   const float *factor = nullptr, *scale = nullptr;  ///< of all moves
   const std::int32_t* other = nullptr;
-  std::size_t searching = 0;            ///< moves from this one on are no searches
-  std::size_t first = 0, moves = 0;     ///< in, out: the first move that is not made yet; of all
-  float leader_x = 0.0F, leader_y = 0.0F;
-  float enough = 0.0F;                  ///< keys under it are promising
-  float *x = nullptr, *y = nullptr;     ///< in, out: of each agent
+  std::size_t searching = 0;                ///< moves from this one on are no searches
+  std::size_t first = 0, moves = 0;         ///< in, out: the first move that is not made yet; of all
+  float leader_x = 0.0F, leader_y = 0.0F;   ///< in, out: the best place so far
+  float enough = 0.0F;                      ///< in, out: what that costs; who costs less is promising
+  float *x = nullptr, *y = nullptr;         ///< in, out: of each agent
   float *before_x = nullptr, *before_y = nullptr;  ///< memory for as many
-  float* keys = nullptr;                ///< out: after the last iteration that was made
-  bool is_promising = false;            ///< out: one is
-  std::size_t least = 0;                ///< out, where one is: the first agent with the least key
+  std::int32_t* is_known = nullptr;                ///< likewise
+  bool is_promising = false;                       ///< out: one is, and has to be looked at
+  // Out, where one is, after the last iteration that was made:
+  std::size_t least = 0;                     ///< the first agent with the least bound
+  float *keys = nullptr, *bounds = nullptr;  ///< of each agent
+  std::int32_t* is_dark = nullptr;           ///< not 0 where a shadow lies on its line
 };
 
 struct Kernels {
   const char* name;
   void (*draw)(Drawing&);
   /// All agents at once, as make_whale_step (optimizer/whale_step) has it about the middle of the disc, then into the disc (a little less than the radius, so that rounding
-  /// does not lead out of it); whoever searches goes to where the other one was before the iteration. Ends with the first iteration after which a key is promising,
-  /// or with the last one. Before the first iteration call `rank`.
+  /// does not lead out of it); whoever searches goes to where the other one was before the iteration. Ends with the first iteration after which someone has
+  /// to be looked at, or with the last one. Before the first iteration call `rank`.
   void (*fly)(Flight&);
-  /// The keys and whether one is promising, no move made.
+  /// Keys, bounds, and whether one is promising, no move made.
   void (*rank)(Flight&);
+  /// What one more shadow makes of bounds: those that are greater stay as they are.
+  void (*shade)(const Flight&, const Shadow&);
 };
 
 /// Those that this processor can run, the plainest first.

@@ -215,11 +215,40 @@ WAYWRIGHT_INLINE Floats picked(const float* from, Ints index) {
 #endif
 }
 
+/// Does the line to a place come as near to the shadow's middle as that?
+WAYWRIGHT_INLINE Ints darkened(const Flight& f, const Shadow& shadow, Floats x, Floats y) {
+  const Floats to_x = x - f.begin_x, to_y = y - f.begin_y, length = to_x * to_x + to_y * to_y;
+  const Floats across = to_x * shadow.y - to_y * shadow.x, along = to_x * shadow.x + to_y * shadow.y;
+  return (across * across <= shadow.squared * length) & (along >= 0.0F) & (along <= length);
+}
+
+struct Told {
+  Ints is_seen, is_hidden;
+};
+/// Of the goal, from each place. Not of places at the goal itself: single precision has no direction there.
+WAYWRIGHT_INLINE Told goal_told(const Flight& f, Floats x, Floats y) {
+  const Ints yes = Ints{} - 1, no{};
+  if (f.goal == Flight::Goal::is_seen) return {yes, no};
+  if (f.goal == Flight::Goal::is_hidden) return {no, yes};
+  if (f.goal == Flight::Goal::not_told) return {no, no};
+  const Floats to_x = x - f.goal_x, to_y = y - f.goal_y, squared = to_x * to_x + to_y * to_y;
+  const Floats share = to_y / (absolute(to_x) + absolute(to_y));
+  const Floats around = to_x < 0.0F ? 2.0F - share : share < 0.0F ? 4.0F + share : share;
+  const Ints bin = __builtin_convertvector(512.0F * around, Ints) & 2047, is_away = squared > 1e-4F;
+  return {is_away & (squared < picked(f.seen_squares, bin)), is_away & (squared > picked(f.hidden_squares, bin))};
+}
+
+/// Is the line to each place known to be free?
+WAYWRIGHT_INLINE Ints is_lit(const Flight& f, Floats x, Floats y) {
+  const Floats to_x = x - f.begin_x, to_y = y - f.begin_y, off_x = x - f.lit_x, off_y = y - f.lit_y;
+  return (to_x * to_x + to_y * to_y < f.lit_squared) | (off_x * off_x + off_y * off_y < f.lit_around_squared);
+}
+
 /// `so_many` registers are all agents: where it is positive they stay in them, else they are in memory.
 template <int so_many>
 class Swarm {
  public:
-  WAYWRIGHT_INLINE explicit Swarm(const Flight& f) : f_{f}, count_{so_many > 0 ? so_many : static_cast<int>((f.agents + native - 1) / native)} {
+  WAYWRIGHT_INLINE explicit Swarm(const Flight& f) : f_{f}, leader_x_{f.leader_x}, leader_y_{f.leader_y}, enough_{f.enough}, count_{so_many > 0 ? so_many : static_cast<int>((f.agents + native - 1) / native)} {
     // Lanes beyond the agents are never promising.
     for (int k = 0; k < native; ++k) {
       const std::size_t agent = static_cast<std::size_t>(count_ - 1) * native + static_cast<std::size_t>(k);
@@ -228,14 +257,16 @@ class Swarm {
     for (int i = 0; i < so_many; ++i) x_[i] = load(f.x + i * native), y_[i] = load(f.y + i * native);
   }
 
-  WAYWRIGHT_INLINE bool rank(Floats enough) {
+  WAYWRIGHT_INLINE bool rank() {
+    const Floats enough = all(enough_);
     bool is_promising = false;
     for (int i = 0; i < count_; ++i) is_promising |= ranked(i, x(i), y(i), enough);
-    return is_promising;
+    return is_promising && is_open(enough);
   }
 
   /// One iteration, its first move's number.
-  WAYWRIGHT_INLINE bool move(std::size_t first, Floats enough) {
+  WAYWRIGHT_INLINE bool move(std::size_t first) {
+    const Floats enough = all(enough_);
     const bool searches = first < f_.searching;
     if (so_many != 1 && searches) {
       for (int i = 0; i < so_many; ++i) store(f_.x + i * native, x_[i]), store(f_.y + i * native, y_[i]);
@@ -248,7 +279,7 @@ class Swarm {
     const Floats before_x = x(0), before_y = y(0);
     for (int i = 0; i < count_; ++i) {
       const std::size_t at = first + static_cast<std::size_t>(i) * native;
-      Floats target_x = all(f_.leader_x), target_y = all(f_.leader_y);
+      Floats target_x = all(leader_x_), target_y = all(leader_y_);
       if (searches) {
         const Ints other = load(f_.other + at), is_search = other >= 0, whom = is_search ? other : Ints{};
         if (so_many == 1) {
@@ -271,25 +302,49 @@ class Swarm {
       set(i, new_x, new_y);
       is_promising |= ranked(i, new_x, new_y, enough);
     }
-    return is_promising;
+    return is_promising && is_open(enough);
   }
 
+  WAYWRIGHT_INLINE float leader_x() const { return leader_x_; }
+  WAYWRIGHT_INLINE float leader_y() const { return leader_y_; }
+  WAYWRIGHT_INLINE float enough() const { return enough_; }
+  WAYWRIGHT_INLINE std::size_t least_one() const { return least_; }
   WAYWRIGHT_INLINE void keep() const {
-    for (int i = 0; i < so_many; ++i) store(f_.x + i * native, x_[i]), store(f_.y + i * native, y_[i]), store(f_.keys + i * native, keys_[i]);
+    for (int i = 0; i < so_many; ++i) {
+      store(f_.x + i * native, x_[i]);
+      store(f_.y + i * native, y_[i]);
+      store(f_.keys + i * native, keys_[i]);
+      store(f_.bounds + i * native, bounds_[i]);
+      store(f_.is_dark + i * native, is_dark_[i]);
+    }
   }
 
-  /// The first agent with the least key. Keys are numbers, or else no agents'.
+  /// The first agent with the least bound. Bounds are numbers, or else no agents'.
   WAYWRIGHT_INLINE std::size_t least() const {
     Floats least = all(__builtin_inff());
-    for (int i = 0; i < count_; ++i) least = lesser(key(i), least);  // the second one where the first one is not a number
+    for (int i = 0; i < count_; ++i) least = lesser(bound(i), least);  // the second one where the first one is not a number
     least = least_of(least);
     for (int i = 0; i < count_; ++i) {
-      if (const unsigned found = not_greater_bits(key(i), least); found != 0) return static_cast<std::size_t>(i) * native + static_cast<std::size_t>(__builtin_ctz(found));
+      if (const unsigned found = not_greater_bits(bound(i), least); found != 0) return static_cast<std::size_t>(i) * native + static_cast<std::size_t>(__builtin_ctz(found));
     }
     return 0;
   }
 
  private:
+  WAYWRIGHT_INLINE Floats bound(int i) const { return so_many > 0 ? bounds_[i] : load(f_.bounds + i * native); }
+  WAYWRIGHT_INLINE void set_bound(int i, Floats bound) {
+    if (so_many > 0) bounds_[i] = bound;
+    else store(f_.bounds + i * native, bound);
+  }
+  WAYWRIGHT_INLINE Ints known(int i) const { return so_many > 0 ? is_known_[i] : load(f_.is_known + i * native); }
+  WAYWRIGHT_INLINE void set_known(int i, Ints is_known) {
+    if (so_many > 0) is_known_[i] = is_known;
+    else store(f_.is_known + i * native, is_known);
+  }
+  WAYWRIGHT_INLINE void set_dark(int i, Ints is_dark) {
+    if (so_many > 0) is_dark_[i] = is_dark;
+    else store(f_.is_dark + i * native, is_dark);
+  }
   WAYWRIGHT_INLINE Floats key(int i) const { return so_many > 0 ? keys_[i] : load(f_.keys + i * native); }
   WAYWRIGHT_INLINE Floats x(int i) const { return so_many > 0 ? x_[i] : load(f_.x + i * native); }
   WAYWRIGHT_INLINE Floats y(int i) const { return so_many > 0 ? y_[i] : load(f_.y + i * native); }
@@ -302,39 +357,75 @@ class Swarm {
       store(f_.y + i * native, new_y);
     }
   }
+  /// But for shadows.
   WAYWRIGHT_INLINE bool ranked(int i, Floats at_x, Floats at_y, Floats enough) {
-    Floats key = f_.per_radius * root(at_x * at_x + at_y * at_y) + (f_.along_x * at_x + f_.along_y * at_y);
-    if (i == count_ - 1) key = key + beyond_;
+    const Floats to_x = at_x - f_.goal_x, to_y = at_y - f_.goal_y;
+    const Floats key = f_.per_radius * root(at_x * at_x + at_y * at_y) + f_.per_goal * root(to_x * to_x + to_y * to_y);
+    Floats bound = f_.goal == Flight::Goal::is_hidden ? key + f_.hidden : key;
+    if (i == count_ - 1) bound = bound + beyond_;
     if (so_many > 0) keys_[i] = key;
     else store(f_.keys + i * native, key);
-    return is_any_less(key, enough);
+    set_bound(i, bound);
+    return is_any_less(bound, enough);
+  }
+  /// Is one promising, with shadows and what is told of the goal, that has to be looked at? One that has not becomes the leader.
+  WAYWRIGHT_INLINE bool is_open(Floats enough) {
+    bool is_promising = false;
+    for (int i = 0; i < count_; ++i) {
+      Ints is_dark{};
+      for (std::size_t s = 0; s < f_.shadow_count; ++s) is_dark |= darkened(f_, f_.shadows[s], x(i), y(i));
+      set_dark(i, is_dark);
+      Floats bound = is_dark ? key(i) + f_.dark : key(i);
+      if (f_.goal == Flight::Goal::is_hidden) bound = bound + f_.hidden;
+      if (i == count_ - 1) bound = bound + beyond_;
+      if (is_any_less(bound, enough)) {
+        const Told told = goal_told(f_, x(i), y(i));
+        if (f_.goal == Flight::Goal::told_by_view) bound = told.is_hidden ? bound + f_.hidden : bound;
+        set_known(i, (told.is_seen | told.is_hidden) & is_lit(f_, x(i), y(i)));
+        is_promising |= is_any_less(bound, enough);
+      }
+      set_bound(i, bound);
+    }
+    if (!is_promising) return false;
+    least_ = least();
+    const int i = so_many == 1 ? 0 : static_cast<int>(least_) / native, k = static_cast<int>(least_) % native;
+    if (known(i)[k] == 0) return true;
+    leader_x_ = x(i)[k];
+    leader_y_ = y(i)[k];
+    enough_ = bound(i)[k];
+    return false;
   }
 
   const Flight& f_;
+  float leader_x_, leader_y_, enough_;
+  std::size_t least_ = 0;
   const int count_;
   Floats beyond_;
-  Floats x_[so_many > 0 ? so_many : 1]{}, y_[so_many > 0 ? so_many : 1]{}, keys_[so_many > 0 ? so_many : 1]{};
+  Floats x_[so_many > 0 ? so_many : 1]{}, y_[so_many > 0 ? so_many : 1]{}, keys_[so_many > 0 ? so_many : 1]{}, bounds_[so_many > 0 ? so_many : 1]{};
+  Ints is_dark_[so_many > 0 ? so_many : 1]{}, is_known_[so_many > 0 ? so_many : 1]{};
 };
 
 template <int so_many, bool moves>
 WAYWRIGHT_INLINE void run(Flight& flight) {
   const Flight f = flight;
   Swarm<so_many> swarm{f};
-  const Floats enough = all(f.enough);
   std::size_t first = f.first;
   bool is_promising = false;
   if (moves) {
     while (first < f.moves && !is_promising) {
-      is_promising = swarm.move(first, enough);
+      is_promising = swarm.move(first);
       first += f.agents;
     }
   } else {
-    is_promising = swarm.rank(enough);
+    is_promising = swarm.rank();
   }
   swarm.keep();
   flight.first = first;
   flight.is_promising = is_promising;
-  if (is_promising) flight.least = swarm.least();
+  flight.least = swarm.least_one();
+  flight.leader_x = swarm.leader_x();
+  flight.leader_y = swarm.leader_y();
+  flight.enough = swarm.enough();
 }
 
 template <bool moves>
@@ -348,6 +439,15 @@ WAYWRIGHT_INLINE void run_any(Flight& flight) {
 }
 void fly(Flight& flight) { run_any<true>(flight); }
 void rank(Flight& flight) { run_any<false>(flight); }
+void shade(const Flight& flight, const Shadow& shadow) {
+  const Flight f = flight;
+  for (std::size_t i = 0; i < f.agents; i += native) {
+    const Floats bound = load(f.bounds + i), dark = load(f.keys + i) + f.dark;
+    const Ints is_dark = darkened(f, shadow, load(f.x + i), load(f.y + i));
+    store(f.bounds + i, is_dark ? greater(dark, bound) : bound);
+    store(f.is_dark + i, load(f.is_dark + i) | is_dark);
+  }
+}
 
 }  // namespace
 }  // namespace waywright::whale_lanes

@@ -120,81 +120,164 @@ TEST(WhaleLanes, SearchesGoToEveryAgentAlike) {
 /// One iteration of one kind of coordinate, as the flight has it.
 float moved(float factor, float scale, float target, float radius, float x) { return std::min(std::max(target + factor * std::abs(scale * target - x), -radius), radius); }
 
+bool is_in(const Flight& f, const Shadow& shadow, float x, float y) {
+  const float to_x = x - f.begin_x, to_y = y - f.begin_y, squared = to_x * to_x + to_y * to_y;
+  const float across = to_x * shadow.y - to_y * shadow.x, along = to_x * shadow.x + to_y * shadow.y;
+  return across * across <= shadow.squared * squared && along >= 0.0F && along <= squared;
+}
+
+/// What is known of an agent's cost.
+struct Known {
+  float key, bound;
+  bool is_dark, is_all;
+};
+Known known(const Flight& f, float x, float y) {
+  const float to_x = x - f.goal_x, to_y = y - f.goal_y, squared = to_x * to_x + to_y * to_y;
+  Known k{f.per_radius * std::sqrt(x * x + y * y) + f.per_goal * std::sqrt(squared), 0.0F, false, false};
+  for (std::size_t s = 0; s < f.shadow_count; ++s) k.is_dark = k.is_dark || is_in(f, f.shadows[s], x, y);
+  bool is_seen = f.goal == Flight::Goal::is_seen, is_hidden = f.goal == Flight::Goal::is_hidden;
+  if (f.goal == Flight::Goal::told_by_view && squared > 1e-4F) {
+    const float share = to_y / (std::abs(to_x) + std::abs(to_y)), around = to_x < 0.0F ? 2.0F - share : share < 0.0F ? 4.0F + share : share;
+    const auto bin = static_cast<std::size_t>(512.0F * around) % 2048;
+    is_seen = squared < f.seen_squares[bin];
+    is_hidden = squared > f.hidden_squares[bin];
+  }
+  k.bound = k.is_dark ? k.key + f.dark : k.key;
+  if (is_hidden) k.bound += f.hidden;
+  const float from_x = x - f.begin_x, from_y = y - f.begin_y, off_x = x - f.lit_x, off_y = y - f.lit_y;
+  k.is_all = (is_seen || is_hidden) && (from_x * from_x + from_y * from_y < f.lit_squared || off_x * off_x + off_y * off_y < f.lit_around_squared);
+  return k;
+}
+
+/// The flight in plain loops, one agent after the other.
+struct PlainFlight {
+  Flight f;
+  std::vector<float> x, y;
+  bool is_open = false;
+  std::size_t least = 0;
+
+  /// Where all agents are; whether one has to be looked at.
+  void look() {
+    least = 0;
+    for (std::size_t i = 1; i < f.agents; ++i) {
+      if (known(f, x[i], y[i]).bound < known(f, x[least], y[least]).bound) least = i;
+    }
+    const Known k = known(f, x[least], y[least]);
+    is_open = k.bound < f.enough && !k.is_all;
+    if (!(k.bound < f.enough) || is_open) return;
+    f.leader_x = x[least];
+    f.leader_y = y[least];
+    f.enough = k.bound;
+  }
+  void fly() {
+    is_open = false;
+    while (f.first < f.moves && !is_open) {
+      const std::vector<float> old_x = x, old_y = y;
+      for (std::size_t i = 0; i < f.agents; ++i, ++f.first) {
+        const std::size_t m = f.first;
+        const bool is_search = f.other[m] >= 0;
+        x[i] = moved(f.factor[m], f.scale[m], is_search ? old_x[static_cast<std::size_t>(f.other[m])] : f.leader_x, f.radius, old_x[i]);
+        y[i] = moved(f.factor[m], f.scale[m], is_search ? old_y[static_cast<std::size_t>(f.other[m])] : f.leader_y, f.radius, old_y[i]);
+        const float most = (1.0F - 0x1.0p-21F) * f.radius, squared = x[i] * x[i] + y[i] * y[i];
+        const float share = squared > most * most ? most / std::max(std::sqrt(squared), most) : 1.0F;
+        x[i] *= share;
+        y[i] *= share;
+      }
+      look();
+    }
+  }
+};
+
 TEST(WhaleLanes, EveryInstructionSetFliesAsThePlainLoopDoes) {
   Random random{3};
-  int stops = 0, ends = 0;
-  for (int run = 0; run < 400; ++run) {
+  int stops = 0, ends = 0, shaded = 0, went_on = 0;
+  std::vector<float> seen(2048), hidden(2048);
+  for (int run = 0; run < 3000; ++run) {
     const auto agents = static_cast<std::size_t>(random.integer(1, run % 4 == 0 ? 80 : 20)), iterations = static_cast<std::size_t>(random.integer(1, 12));
-    const auto spiral = static_cast<float>(random.uniform(-30.0, 30.0)), radius = static_cast<float>(random.uniform(0.1, 10.0));
     const std::uint64_t counter = random.next();
-    const float leader_x = static_cast<float>(random.uniform(-0.7, 0.7)) * radius, leader_y = static_cast<float>(random.uniform(-0.7, 0.7)) * radius;
-    const float weight = static_cast<float>(random.uniform(0.0, 1.0)), along = static_cast<float>(random.uniform(-0.5, 0.5)), enough = static_cast<float>(random.uniform(-0.3, 0.2)) * radius;
+    const auto spiral = static_cast<float>(random.uniform(-30.0, 30.0)), radius = static_cast<float>(random.uniform(0.1, 10.0));
+    const auto share = [&](double least, double most) { return static_cast<float>(random.uniform(least, most)) * radius; };
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      const float at = share(0.0, 1.5) * radius;
+      seen[i] = 0.7F * at;
+      hidden[i] = random.uniform() < 0.2 ? std::numeric_limits<float>::infinity() : at;
+    }
+    Flight given{.agents = agents, .radius = radius, .per_radius = static_cast<float>(random.uniform(0.0, 1.0)), .per_goal = static_cast<float>(random.uniform(0.0, 0.5)), .goal_x = share(-2.0, 2.0), .goal_y = share(-2.0, 2.0),
+                 .dark = share(0.0, 2.0), .hidden = share(0.0, 1.0), .begin_x = share(-1.0, 1.0), .begin_y = share(-1.0, 1.0), .shadow_count = static_cast<std::size_t>(random.integer(0, 4)),
+                 .lit_squared = share(-0.2, 0.5) * radius, .lit_x = share(-0.7, 0.7), .lit_y = share(-0.7, 0.7), .lit_around_squared = share(-0.2, 0.2) * radius, .goal = static_cast<Flight::Goal>(run % 4),
+                 .seen_squares = seen.data(), .hidden_squares = hidden.data(), .moves = agents * iterations, .leader_x = share(-0.7, 0.7), .leader_y = share(-0.7, 0.7), .enough = share(0.0, 1.5)};
+    for (Shadow& shadow : given.shadows) shadow = {share(-1.0, 1.0), share(-1.0, 1.0), share(-0.1, 0.3) * radius};
+    const Shadow one_more{share(-1.0, 1.0), share(-1.0, 1.0), share(0.0, 0.5) * radius};
     for (const Kernels& kernels : available()) {
-      Drawn d{agents, iterations, 3.0};
-      d.drawing.counter = counter;
-      d.drawing.spiral = spiral;
-      d.drawing.radius = radius;
-      kernels.draw(d.drawing);
-      if (&kernels == available().data()) {
-        for (std::size_t i = 0; i < agents; ++i) ASSERT_LE(std::hypot(double{d.x[i]}, double{d.y[i]}), radius);
-      } else {
-        Drawn plain{agents, iterations, 3.0};
-        plain.drawing.counter = counter;
-        plain.drawing.spiral = spiral;
-        plain.drawing.radius = radius;
-        available().front().draw(plain.drawing);
-        const auto is_same = [](const auto& a, const auto& b, std::size_t count) { return std::equal(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(count), b.begin()); };
-        ASSERT_TRUE(is_same(d.x, plain.x, agents) && is_same(d.y, plain.y, agents) && is_same(d.factor, plain.factor, d.drawing.moves));
-        ASSERT_TRUE(is_same(d.scale, plain.scale, d.drawing.moves) && is_same(d.other, plain.other, d.drawing.moves));
-      }
-      std::vector<float> x = d.x, y = d.y, before_x(agents + spare), before_y(agents + spare), keys(agents + spare);
-      Flight flight{.agents = agents, .radius = radius, .per_radius = weight, .along_x = along, .along_y = -0.3F, .factor = d.factor.data(), .scale = d.scale.data(), .other = d.other.data(),
-                    .searching = d.searches().empty() ? 0 : d.searches().back() + 1, .moves = agents * iterations, .leader_x = leader_x, .leader_y = leader_y, .enough = enough,
-                    .x = d.x.data(), .y = d.y.data(), .before_x = before_x.data(), .before_y = before_y.data(), .keys = keys.data()};
-      std::size_t first = 0;
-      const auto expect_keys = [&] {  // of the plain loop's places
-        std::size_t least = 0;
+      const auto drawn_by = [&](const Kernels& by) {
+        Drawn d{agents, iterations, 3.0};
+        d.drawing.counter = counter;
+        d.drawing.spiral = spiral;
+        d.drawing.radius = radius;
+        by.draw(d.drawing);
+        return d;
+      };
+      Drawn d = drawn_by(kernels), plainly_drawn = drawn_by(available().front());
+      const auto is_same = [](const auto& a, const auto& b, std::size_t count) { return std::equal(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(count), b.begin()); };
+      ASSERT_TRUE(is_same(d.x, plainly_drawn.x, agents) && is_same(d.y, plainly_drawn.y, agents) && is_same(d.factor, plainly_drawn.factor, d.drawing.moves));
+      ASSERT_TRUE(is_same(d.scale, plainly_drawn.scale, d.drawing.moves) && is_same(d.other, plainly_drawn.other, d.drawing.moves));
+      std::vector<float> before_x(agents + spare), before_y(agents + spare), keys(agents + spare), bounds(agents + spare);
+      std::vector<std::int32_t> is_dark(agents + spare), is_known(agents + spare);
+      Flight flight = given;
+      flight.factor = d.factor.data(), flight.scale = d.scale.data(), flight.other = d.other.data();
+      flight.searching = d.searches().empty() ? 0 : d.searches().back() + 1;
+      PlainFlight plain{flight, d.x, d.y};
+      flight.x = d.x.data(), flight.y = d.y.data(), flight.before_x = before_x.data(), flight.before_y = before_y.data();
+      flight.keys = keys.data(), flight.bounds = bounds.data(), flight.is_dark = is_dark.data(), flight.is_known = is_known.data();
+      const auto expect_same = [&] {
+        ASSERT_EQ(flight.first, plain.f.first);
+        ASSERT_EQ(flight.is_promising, plain.is_open);
+        ASSERT_EQ(flight.leader_x, plain.f.leader_x);
+        ASSERT_EQ(flight.leader_y, plain.f.leader_y);
+        ASSERT_EQ(flight.enough, plain.f.enough);
         for (std::size_t i = 0; i < agents; ++i) {
-          ASSERT_EQ(d.x[i], x[i]);
-          ASSERT_EQ(d.y[i], y[i]);
-          ASSERT_EQ(keys[i], weight * std::sqrt(x[i] * x[i] + y[i] * y[i]) + (along * x[i] + -0.3F * y[i]));
-          ASSERT_LE(std::hypot(double{x[i]}, double{y[i]}), radius);
-          if (keys[i] < keys[least]) least = i;
+          ASSERT_EQ(d.x[i], plain.x[i]);
+          ASSERT_EQ(d.y[i], plain.y[i]);
+          ASSERT_LE(std::hypot(double{d.x[i]}, double{d.y[i]}), radius);
         }
-        ASSERT_EQ(flight.is_promising, keys[least] < enough);
-        if (flight.is_promising) {
-          ASSERT_EQ(flight.least, least);
+        if (!flight.is_promising) return;
+        ASSERT_EQ(flight.least, plain.least);
+        for (std::size_t i = 0; i < agents; ++i) {
+          const Known k = known(flight, d.x[i], d.y[i]);
+          ASSERT_EQ(keys[i], k.key);
+          ASSERT_EQ(is_dark[i] != 0, k.is_dark);
+          ASSERT_LE(bounds[i], k.bound);  // looked at no closer where even less is too much
+          if (k.bound < flight.enough) {
+            ASSERT_EQ(bounds[i], k.bound);
+          }
         }
       };
       kernels.rank(flight);
-      expect_keys();
-      while (first < flight.moves) {
+      plain.look();
+      expect_same();
+      while (flight.first < flight.moves) {
+        const float before = flight.enough;
         kernels.fly(flight);
-        const std::size_t end = flight.first;
-        ASSERT_GT(end, first);
-        for (; first < end; first += agents) {
-          const std::vector<float> old_x = x, old_y = y;
-          bool is_promising = false;
-          for (std::size_t i = 0; i < agents; ++i) {
-            const std::size_t m = first + i;
-            const bool is_search = d.other[m] >= 0;
-            x[i] = moved(d.factor[m], d.scale[m], is_search ? old_x[static_cast<std::size_t>(d.other[m])] : leader_x, radius, old_x[i]);
-            y[i] = moved(d.factor[m], d.scale[m], is_search ? old_y[static_cast<std::size_t>(d.other[m])] : leader_y, radius, old_y[i]);
-            const float most = (1.0F - 0x1.0p-21F) * radius, squared = x[i] * x[i] + y[i] * y[i];
-            const float share = squared > most * most ? most / std::max(std::sqrt(squared), most) : 1.0F;
-            x[i] *= share;
-            y[i] *= share;
-            is_promising = is_promising || weight * std::sqrt(x[i] * x[i] + y[i] * y[i]) + (along * x[i] + -0.3F * y[i]) < enough;
-          }
-          ASSERT_EQ(is_promising, first + agents == end && flight.is_promising);
-        }
-        expect_keys();
+        plain.fly();
+        expect_same();
+        went_on += flight.enough < before ? 1 : 0;
         ++(flight.is_promising ? stops : ends);
+        if (!flight.is_promising) continue;
+        const std::vector<float> unshaded = bounds;
+        kernels.shade(flight, one_more);
+        for (std::size_t i = 0; i < agents; ++i) {
+          const bool is_darker = is_in(flight, one_more, d.x[i], d.y[i]);
+          shaded += is_darker ? 1 : 0;
+          ASSERT_EQ(bounds[i], is_darker ? std::max(unshaded[i], keys[i] + flight.dark) : unshaded[i]);
+          ASSERT_EQ(is_dark[i] != 0, is_darker || known(flight, d.x[i], d.y[i]).is_dark);
+        }
       }
     }
   }
   EXPECT_GT(stops, 1000);
   EXPECT_GT(ends, 100);
+  EXPECT_GT(went_on, 1000);
+  EXPECT_GT(shaded, 1000);
 }
 
 }  // namespace
