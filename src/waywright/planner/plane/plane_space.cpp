@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <cmath>
 #include <utility>
 #include <vector>

@@ -2,6 +2,8 @@
 // stand, so that a straight line is free or not whatever the heading.
 #pragma once
 
+#include <algorithm>
+
 #include "waywright/map/clearance_field.hpp"
 #include "waywright/planner/plane/clearance_tiles.hpp"
 #include "waywright/scenario/problem.hpp"
@@ -48,10 +50,12 @@ class PlaneSpace {
     double around = 0.0;  ///< m: lines from its beginning to places that are nearer to its end than that are free, too
   };
   bool is_free(Vec2 from, Vec2 to, double length, double room_from, double room_to, Line& line) const {
-    return room_from + room_to > length || is_free_between(from, to, length, room_from, room_to, needed_, &line);
+    if (!(room_from + room_to > length)) return is_free_between(from, to, length, room_from, room_to, needed_, &line);
+    line.around = std::min({0.5 * (room_from + room_to - length), room_from, room_to});  // both discs reach so far beyond where they meet
+    return true;
   }
   double table_cell() const { return field_.cell(); }  ///< m
-  /// The table is sure that no place within `off` (m) of the point is free.
+  /// The table is sure that no place within `off` (m) of the point is free. @pre off ≥ 0
   bool is_surely_blocked(Vec2 point, double off) const { return blocked_around(point) >= off; }
   /// m, the greatest such; negative where the table does not tell.
   double blocked_around(Vec2 point) const { return blocked_around(table_.at(point), needed_); }

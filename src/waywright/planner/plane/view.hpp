@@ -55,7 +55,7 @@ class PlaneView {
     const double value = v.x < 0.0 ? 2.0 - share : share < 0.0 ? 4.0 + share : share;
     return value < 4.0 ? value : 0.0;
   }
-  /// The bin that a point is in, which is so far from the place.
+  /// The bin of what is off the place by that.
   static std::size_t index(Vec2 v) { return static_cast<std::size_t>(around(v) * (static_cast<double>(count) / 4.0)); }
   /// What is known by now, for look-ups in single precision: of a direction's bin the squared distance (m²) up to which all is seen, and the one from which on nothing is.
   /// A bin off by one and a share of 1e-6 off do not matter. Both have `count`, and change as bins are asked for. @pre is_ready()

@@ -13,6 +13,10 @@ using whale_lanes::Shadow;
 
 namespace {
 
+static_assert(whale_lanes::directions == PlaneView::count);
+// A share of the radius: so far from the goal rounding is 4e-6 of a squared distance at most, and off by much less than a direction.
+constexpr double at_goal_share = 0.05;
+constexpr double at_goal = 0.01;  // m, at least
 constexpr float blocked_weight = 10.0F;
 constexpr std::size_t most_drawn = 100;  // swarms
 
@@ -53,6 +57,8 @@ WhaleSteering::WhaleSteering(const PlaneSpace& space, const WhaleSteeringOptions
   flight_.per_goal = static_cast<float>(options.goal_weight / norm(space.region().high - space.region().low));
   flight_.dark = static_cast<float>(options.near_weight);
   flight_.hidden = static_cast<float>(options.view_weight);
+  const double told_beyond = std::max(at_goal, at_goal_share * options.radius);
+  flight_.at_goal_squared = static_cast<float>(told_beyond * told_beyond);
 }
 
 float WhaleSteering::cost(Place off, Vec2 near, Vec2 sample, Vec2 goal) const {
@@ -106,9 +112,11 @@ bool WhaleSteering::is_seen_from_tree(const Aim& aim, Place off, Vec2 at) {
     if (line.hit > 0.0) add_shadow(aim, (1.0 / length) * (at - aim.near), line.hit, line.blocked);
     return false;
   }
-  flight_.lit_x = off.x;
-  flight_.lit_y = off.y;
-  flight_.lit_around_squared = square_of_less(line.around);
+  if (const float squared = square_of_less(line.around); squared > 0.0F) {
+    flight_.lit_x = off.x;
+    flight_.lit_y = off.y;
+    flight_.lit_around_squared = squared;
+  }
   return true;
 }
 
@@ -145,7 +153,7 @@ bool WhaleSteering::try_out(const Aim& aim, std::size_t agent, bool is_first_of_
 /// The best of all agents and of what was best before; of equal ones what was before, then the first agent. They are looked at in the order of their bounds, until no other
 /// one can be better.
 void WhaleSteering::look(const Aim& aim, Best& best) {
-  std::size_t best_agent = 0, next = flight_.least;
+  std::size_t best_agent = 0, next = flight_.least;  // 0 also where the best is none of these: then no one comes first of equals
   while (true) {
     const bool is_first_of_equals = next < best_agent;
     if (is_first_of_equals ? bounds_[next] > best.cost : bounds_[next] >= best.cost) return;

@@ -25,6 +25,8 @@ struct WhaleSteeringOptions {
 class WhaleSteering final : public TreeSteering {
  public:
   WhaleSteering(const PlaneSpace& space, const WhaleSteeringOptions& options);
+  WhaleSteering(const WhaleSteering&) = delete;  // what the lanes take points into it
+  WhaleSteering& operator=(const WhaleSteering&) = delete;
   Vec2 aim(Vec2 near, Vec2 sample, Vec2 goal, Random& random) override;
 
   void grown(std::int64_t samples) override;
@@ -32,7 +34,7 @@ class WhaleSteering final : public TreeSteering {
   void draw(SearchPicture& picture) const;
 
   std::int64_t evaluations() const { return evaluations_; }
-  std::int64_t lines() const { return lines_; }  ///< that were looked along: not those that the view of the goal tells
+  std::int64_t lines() const { return lines_; }  ///< that were looked along, one by one
 
   /// The cost of a place, whole; `off` is where it is, from the sample.
   float cost(whale_lanes::Place off, Vec2 near, Vec2 sample, Vec2 goal) const;

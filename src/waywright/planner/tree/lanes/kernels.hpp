@@ -1,4 +1,4 @@
-// The inner loops of local whales: what an extension draws, and how its agents move until one of them is promising, as many side by side as a register has
+// The inner loops of local whales: what an extension draws, and how its agents move until one of them has to be looked at, as many side by side as a register has
 // numbers. Written once, compiled for each instruction set, chosen at run time; every one gives the same bits, because each lane is plain IEEE arithmetic in a fixed order.
 //
 // Places count from the sample, in metres. They are single precision: a disc of 2.5 m in steps of a quarter of a micrometre, twice as many agents in a register.
@@ -38,12 +38,13 @@ struct Place {
   float x = 0.0F, y = 0.0F;  ///< m
 };
 
-/// What is surely blocked: a line from the place that all lines begin at to a point is blocked where it comes as near as that to the middle.
+/// What is surely blocked: a line that comes as near as that to the middle is blocked.
 struct Shadow {
-  float x = 0.0F, y = 0.0F;  ///< of its middle, from where the lines begin, m
+  float x = 0.0F, y = 0.0F;  ///< of its middle, from where lines begin, m; not both 0
   float squared = -1.0F;     ///< of its radius, m²; negative: it hides nothing
 };
 inline constexpr std::size_t most_shadows = 4;
+inline constexpr int directions = 2048;  ///< in which a view tells how far it sees: a power of two
 
 /// Iterations until one leads to where something has to be looked at. An agent's key is what its distances cost: per_radius |x| + per_goal |x − goal|. Its bound is what it costs
 /// at least: the key, `dark` where a shadow lies on its line, and `hidden` where the goal is hidden from it for sure. That is all that it costs where its line is lit, and whether
@@ -60,7 +61,8 @@ struct Flight {
   float lit_squared = -1.0F;                                     ///< m²: lines are lit whose squared length is less,
   float lit_x = 0.0F, lit_y = 0.0F, lit_around_squared = -1.0F;  ///< and those to places whose squared distance from this one is less
   enum class Goal { not_told, is_seen, is_hidden, told_by_view } goal = Goal::not_told;  ///< from all places, or as its view tells of each
-  const float *seen_squares = nullptr, *hidden_squares = nullptr;  ///< of the view, see PlaneView
+  const float *seen_squares = nullptr, *hidden_squares = nullptr;  ///< of the view, see PlaneView; one for each direction
+  float at_goal_squared = 0.0F;  ///< m²: nothing is told of places whose squared distance from the goal is no greater
 
   const float *factor = nullptr, *scale = nullptr;  ///< of all moves
   const std::int32_t* other = nullptr;

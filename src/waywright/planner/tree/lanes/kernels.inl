@@ -219,22 +219,23 @@ WAYWRIGHT_INLINE Floats picked(const float* from, Ints index) {
 WAYWRIGHT_INLINE Ints darkened(const Flight& f, const Shadow& shadow, Floats x, Floats y) {
   const Floats to_x = x - f.begin_x, to_y = y - f.begin_y, length = to_x * to_x + to_y * to_y;
   const Floats across = to_x * shadow.y - to_y * shadow.x, along = to_x * shadow.x + to_y * shadow.y;
-  return (across * across <= shadow.squared * length) & (along >= 0.0F) & (along <= length);
+  return (across * across <= shadow.squared * length) & (along > 0.0F) & (along <= length);
 }
 
 struct Told {
   Ints is_seen, is_hidden;
 };
-/// Of the goal, from each place. Not of places at the goal itself: single precision has no direction there.
+/// Of the goal, from each place; near to the goal single precision does not tell the direction.
 WAYWRIGHT_INLINE Told goal_told(const Flight& f, Floats x, Floats y) {
   const Ints yes = Ints{} - 1, no{};
   if (f.goal == Flight::Goal::is_seen) return {yes, no};
   if (f.goal == Flight::Goal::is_hidden) return {no, yes};
   if (f.goal == Flight::Goal::not_told) return {no, no};
   const Floats to_x = x - f.goal_x, to_y = y - f.goal_y, squared = to_x * to_x + to_y * to_y;
-  const Floats share = to_y / (absolute(to_x) + absolute(to_y));
+  const Ints is_away = squared > f.at_goal_squared;
+  const Floats share = to_y / (is_away ? absolute(to_x) + absolute(to_y) : all(1.0F));
   const Floats around = to_x < 0.0F ? 2.0F - share : share < 0.0F ? 4.0F + share : share;
-  const Ints bin = __builtin_convertvector(512.0F * around, Ints) & 2047, is_away = squared > 1e-4F;
+  const Ints bin = __builtin_convertvector(0.25F * directions * around, Ints) & (directions - 1);
   return {is_away & (squared < picked(f.seen_squares, bin)), is_away & (squared > picked(f.hidden_squares, bin))};
 }
 

@@ -123,7 +123,7 @@ float moved(float factor, float scale, float target, float radius, float x) { re
 bool is_in(const Flight& f, const Shadow& shadow, float x, float y) {
   const float to_x = x - f.begin_x, to_y = y - f.begin_y, squared = to_x * to_x + to_y * to_y;
   const float across = to_x * shadow.y - to_y * shadow.x, along = to_x * shadow.x + to_y * shadow.y;
-  return across * across <= shadow.squared * squared && along >= 0.0F && along <= squared;
+  return across * across <= shadow.squared * squared && along > 0.0F && along <= squared;
 }
 
 /// What is known of an agent's cost.
@@ -136,9 +136,9 @@ Known known(const Flight& f, float x, float y) {
   Known k{f.per_radius * std::sqrt(x * x + y * y) + f.per_goal * std::sqrt(squared), 0.0F, false, false};
   for (std::size_t s = 0; s < f.shadow_count; ++s) k.is_dark = k.is_dark || is_in(f, f.shadows[s], x, y);
   bool is_seen = f.goal == Flight::Goal::is_seen, is_hidden = f.goal == Flight::Goal::is_hidden;
-  if (f.goal == Flight::Goal::told_by_view && squared > 1e-4F) {
+  if (f.goal == Flight::Goal::told_by_view && squared > f.at_goal_squared) {
     const float share = to_y / (std::abs(to_x) + std::abs(to_y)), around = to_x < 0.0F ? 2.0F - share : share < 0.0F ? 4.0F + share : share;
-    const auto bin = static_cast<std::size_t>(512.0F * around) % 2048;
+    const auto bin = static_cast<std::size_t>(0.25F * directions * around) % directions;
     is_seen = squared < f.seen_squares[bin];
     is_hidden = squared > f.hidden_squares[bin];
   }
@@ -191,7 +191,7 @@ struct PlainFlight {
 TEST(WhaleLanes, EveryInstructionSetFliesAsThePlainLoopDoes) {
   Random random{3};
   int stops = 0, ends = 0, shaded = 0, went_on = 0;
-  std::vector<float> seen(2048), hidden(2048);
+  std::vector<float> seen(directions), hidden(directions);
   for (int run = 0; run < 3000; ++run) {
     const auto agents = static_cast<std::size_t>(random.integer(1, run % 4 == 0 ? 80 : 20)), iterations = static_cast<std::size_t>(random.integer(1, 12));
     const std::uint64_t counter = random.next();
@@ -205,7 +205,7 @@ TEST(WhaleLanes, EveryInstructionSetFliesAsThePlainLoopDoes) {
     Flight given{.agents = agents, .radius = radius, .per_radius = static_cast<float>(random.uniform(0.0, 1.0)), .per_goal = static_cast<float>(random.uniform(0.0, 0.5)), .goal_x = share(-2.0, 2.0), .goal_y = share(-2.0, 2.0),
                  .dark = share(0.0, 2.0), .hidden = share(0.0, 1.0), .begin_x = share(-1.0, 1.0), .begin_y = share(-1.0, 1.0), .shadow_count = static_cast<std::size_t>(random.integer(0, 4)),
                  .lit_squared = share(-0.2, 0.5) * radius, .lit_x = share(-0.7, 0.7), .lit_y = share(-0.7, 0.7), .lit_around_squared = share(-0.2, 0.2) * radius, .goal = static_cast<Flight::Goal>(run % 4),
-                 .seen_squares = seen.data(), .hidden_squares = hidden.data(), .moves = agents * iterations, .leader_x = share(-0.7, 0.7), .leader_y = share(-0.7, 0.7), .enough = share(0.0, 1.5)};
+                 .seen_squares = seen.data(), .hidden_squares = hidden.data(), .at_goal_squared = share(0.0, 0.1) * radius, .moves = agents * iterations, .leader_x = share(-0.7, 0.7), .leader_y = share(-0.7, 0.7), .enough = share(0.0, 1.5)};
     for (Shadow& shadow : given.shadows) shadow = {share(-1.0, 1.0), share(-1.0, 1.0), share(-0.1, 0.3) * radius};
     const Shadow one_more{share(-1.0, 1.0), share(-1.0, 1.0), share(0.0, 0.5) * radius};
     for (const Kernels& kernels : available()) {
@@ -226,6 +226,7 @@ TEST(WhaleLanes, EveryInstructionSetFliesAsThePlainLoopDoes) {
       Flight flight = given;
       flight.factor = d.factor.data(), flight.scale = d.scale.data(), flight.other = d.other.data();
       flight.searching = d.searches().empty() ? 0 : d.searches().back() + 1;
+      if (run % 7 == 0) flight.begin_x = d.x[0], flight.begin_y = d.y[0];  // a line of no length
       PlainFlight plain{flight, d.x, d.y};
       flight.x = d.x.data(), flight.y = d.y.data(), flight.before_x = before_x.data(), flight.before_y = before_y.data();
       flight.keys = keys.data(), flight.bounds = bounds.data(), flight.is_dark = is_dark.data(), flight.is_known = is_known.data();
