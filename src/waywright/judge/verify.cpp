@@ -51,11 +51,7 @@ Verification verify_part(const Problem& problem, Plan plan, double s_before, dou
   const Plan& fresh = verification.fresh;
   std::vector<std::string>& findings = verification.findings;
   if (auto ends = problem.check_ends()) findings.push_back(ends->reason);
-  if (fresh.status != Status::solved) {
-    findings.push_back(fresh.reason);
-  } else if (plan.status != Status::solved) {
-    findings.push_back(fmt::format("the plan says that it is {}, though its path can be proven", to_string(plan.status)));
-  }
+  if (fresh.status != Status::solved) findings.push_back(fresh.reason);
   if (!fresh.samples.empty()) {
     std::vector<PoseSpeed> speeds;
     if (problem.zones().limits_speed()) {
@@ -68,6 +64,9 @@ Verification verify_part(const Problem& problem, Plan plan, double s_before, dou
     // What was confirmed of the samples is what this stands on: each within the tolerance of fresh ones, which are within it of the curves.
     if (findings.empty()) {
       for (Violation& meeting : check_in_time(problem, plan.samples, 2.0 * fresh.certificate.tolerance + 1e-5)) findings.push_back(std::move(meeting.sentence));
+    }
+    if (plan.status != Status::solved && findings.empty()) {
+      findings.push_back(fmt::format("the plan says that it is {}, though its path can be proven", to_string(plan.status)));
     }
     check_claimed_metrics(plan, fresh, findings);
   }

@@ -101,7 +101,7 @@ Parsed<Verification> verify_legs(const Plan& plan) {
     whole.status = Status::unproven;
     whole.reason = findings.back();
   }
-  if (whole.status == Status::solved && plan.status != Status::solved) {
+  if (whole.status == Status::solved && plan.status != Status::solved && findings.empty()) {
     findings.push_back(fmt::format("the plan says that it is {}, though its path can be proven", to_string(plan.status)));
   } else if (whole.status != Status::solved && findings.empty()) {
     findings.push_back(whole.reason);
