@@ -75,13 +75,12 @@ class MissionScene {
   std::vector<LegendEntry> legend() const {
     using Shape = LegendEntry::Shape;
     std::vector<LegendEntry> entries{{"", Shape::none, "S start, E1, E2 …: where a leg ends"}};
-    const auto drives = [&](int direction) {
-      return std::any_of(legs_.begin(), legs_.end(), [&](const LegView& leg) {
-        return std::any_of(leg.samples.begin(), leg.samples.end(), [&](const Sample& s) { return s.direction == direction; });
-      });
+    const auto has = [&](auto&& is_so) {
+      return std::any_of(legs_.begin(), legs_.end(), [&](const LegView& leg) { return std::any_of(leg.samples.begin(), leg.samples.end(), is_so); });
     };
-    if (drives(1)) entries.push_back({"fwd", Shape::line, "forwards"});
-    if (drives(-1)) entries.push_back({"back", Shape::line, "backwards"});
+    const bool slides = has([](const Sample& s) { return !s.faces_along; });
+    if (has([](const Sample& s) { return s.direction > 0; })) entries.push_back({"fwd", Shape::line, slides ? "path, not facing along it" : "forwards"});
+    if (has([](const Sample& s) { return s.direction < 0; })) entries.push_back({"back", Shape::line, "backwards"});
     if (is_long()) entries.push_back({"", Shape::none, "so long a way is drawn without what is swept"});
     else entries.push_back({"sweep", Shape::box, "swept by the footprint"});
     if (loads_) entries.push_back({"load", Shape::box, "load, where it is carried"});
