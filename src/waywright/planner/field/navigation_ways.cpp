@@ -23,6 +23,7 @@ constexpr double spare_shares[] = {0.5, 0.25, 0.12, 0.06};  // of the room at st
 constexpr double most_spare = 0.5;        // m
 constexpr double thinning = 0.002;        // m
 constexpr std::size_t tree_kappas = 3;    // that are tried among trees
+constexpr double worth_another = 1.25;    // as many times the straight line as a way is long down the published map, and trees are looked at, too
 constexpr double room_at_corners = 0.75;  // of what a straightened way keeps, that arcs at its corners keep still
 constexpr double difference = 1e-6;       // of the world's radius
 const std::vector<double> usual_kappas{8.0, 3.0, 5.0, 12.0, 20.0};  // where none is shown to do; 8 is the reconstruction's
@@ -207,8 +208,14 @@ NavigationWay way_among_stars(const NavigationOptions& options, const PlaneSpace
   const auto is_over = [&] { return budget.exhausted() || is_used_up(budget); };
   if (options.lambda > 0.0 || has_convex_polygons(space)) {
     NavigationWay published = by_published_map(options, space, world, start, goal, budget);
-    if (is_there(published) || is_over()) return published;
+    const bool is_found = is_there(published);
+    if (is_over() || (is_found && (options.lambda > 0.0 || !(published.way.length > worth_another * distance(start, goal))))) return published;
     auto trees = as_trees();
+    if (is_found) {
+      if (!trees || !is_there(*trees) || !(longer_allowed * trees->way.length < published.way.length)) return published;
+      prepend(*trees, fmt::format("Down the published map from stars to discs the way is {:.2f} m long; so all is seen as trees of stars, among which it is shorter.", published.way.length));
+      return *std::move(trees);
+    }
     if (is_over() && !(trees && is_there(*trees))) return published;
     if (!trees) {
       published.text.push_back("Trees of stars do not serve either: " + trees.error() + ".");

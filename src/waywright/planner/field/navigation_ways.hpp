@@ -28,8 +28,8 @@ struct NavigationWay {
 
 NavigationWay way_among_discs(const NavigationOptions& options, const SphereWorld& world, Vec2 start, Vec2 goal, Budget& budget);
 
-/// Of stars that are apart. Where all are convex, or a λ is told, down the published map, and as trees of stars, whose map cannot fold, where that does not lead to the goal;
-/// others as trees, and down the published map where these do not serve. The text says why the other was taken.
+/// Of stars that are apart. Where all are convex, or a λ is told, down the published map, and as trees of stars, whose map cannot fold, where that does not lead to the goal,
+/// or (no λ told) by a detour that is more than a tenth longer than theirs; others as trees, and down the published map where these do not serve. The text says why the other was taken.
 NavigationWay way_among_stars(const NavigationOptions& options, const PlaneSpace& space, const StarWorld& world, Vec2 start, Vec2 goal, Budget& budget);
 
 /// Leaves are drawn in to next to nothing, so that the model's ways pass close to them: where there is room, all is taken as larger than it need be, as long as that makes
