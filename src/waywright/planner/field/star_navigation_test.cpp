@@ -175,7 +175,21 @@ TEST(StarNavigation, GoesOverToTreesWhereThePublishedMapStallsAndSaysSo) {
   EXPECT_FALSE(says(found.text, "local minimum"));
 }
 
-// Where stars are convex the published map alone is looked at.
+TEST(StarNavigation, TakesTreesWhereThePublishedMapLeadsByADetourAndSaysSo) {
+  const Scenario s = hall_with({rectangle({3, 4.8}, {9, 5.2}), rectangle({1, 1}, {2, 2})}, 0.2, {6.4, 2.5}, {6.4, 7.5});
+  const Answer found = answer_of(s, star_options());
+  EXPECT_EQ(found.reason, "");
+  EXPECT_TRUE(says(found.text, "Down the published map from stars to discs the way is "));
+  EXPECT_TRUE(says(found.text, "As trees of stars"));
+  // Around its nearer end the shortest way is 7.7 m long.
+  EXPECT_LT(found.length, 9.0);
+  const Answer told = answer_of(s, star_options(0.0, 10.0));  // whoever tells λ gets the published map
+  EXPECT_EQ(told.reason, "");
+  EXPECT_FALSE(says(told.text, "trees"));
+  EXPECT_GT(told.length, 2.0 * found.length);
+}
+
+// Where stars are convex the published map alone is looked at, but for detours.
 TEST(StarNavigation, KeepsToThePublishedMapAmongConvexStars) {
   const Answer found = answer_of(hall_with({rectangle({5, 3}, {6.5, 5}), rectangle({8, 5}, {9.5, 7})}, 0.3, {2, 4}, {12, 6}), star_options());
   EXPECT_EQ(found.reason, "");
