@@ -23,7 +23,7 @@ constexpr double spare_shares[] = {0.5, 0.25, 0.12, 0.06};  // of the room at st
 constexpr double most_spare = 0.5;        // m
 constexpr double thinning = 0.002;        // m
 constexpr std::size_t tree_kappas = 3;    // that are tried among trees
-constexpr double worth_another = 1.25;    // as many times the straight line as a way is long down the published map, and trees are looked at, too
+constexpr double worth_another = 1.25;    // a way down the published map that is longer than so many times the straight line is held against trees
 constexpr double room_at_corners = 0.75;  // of what a straightened way keeps, that arcs at its corners keep still
 constexpr double difference = 1e-6;       // of the world's radius
 const std::vector<double> usual_kappas{8.0, 3.0, 5.0, 12.0, 20.0};  // where none is shown to do; 8 is the reconstruction's
